@@ -212,11 +212,11 @@ class SearchCriteria:
     together: int = 4
     """models | fitted before the next are chosen"""
     leading_families: int = 3
-    """families | whose members are all tried where no effect leaves noise"""
+    """families | that lead: further effects are looked at beside their best models, with all of their members"""
     likest_families: int = 2
     """families | most similar in the samples to an effect of the answer, tried in its place"""
     rounds: int = 8
-    """rounds | of fits of models with one effect, with two and with three, at most"""
+    """rounds | of fits of models with so many effects, at most"""
     starts: int = 12
     """models | that other effects are added to by prediction"""
     step: float = 0.6

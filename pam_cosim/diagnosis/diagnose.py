@@ -44,10 +44,7 @@ from pam_cosim.diagnosis.search.effort import Effort
 from pam_cosim.diagnosis.search.folds import folds_of
 from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.diagnosis.search.search_result import SearchResult
-from pam_cosim.diagnosis.search.searches import (
-    fit_base_model,
-    with_effects,
-)
+from pam_cosim.diagnosis.search.searches import fit_base_model, with_effects
 from pam_cosim.diagnosis.search.selection import select_effects
 from pam_cosim.diagnosis.search.subject import subject_of
 from pam_cosim.errors import InputError
@@ -315,7 +312,7 @@ def diagnose(
     result = select_effects(search, base)
     verdict, plans = _verdict(result, subject.sources)
     if verdict.leaves_structure and result.path and not effort.spent:
-        folds = folds_of(result.search, result.path[-1].effects, result.last)
+        folds = folds_of(subject, result.search, result.path[-1].effects, result.last)
         if folds is not None:
             result = with_effects(result, folds.named)
             verdict, plans = _verdict(result, subject.sources)

@@ -82,7 +82,7 @@ def test_without_model_exchange(tmp_path: Path) -> None:
     )
     assert by_runs.linear is None and np.isnan(by_runs.linear_gain).all() and by_runs.settled.all()
     np.testing.assert_allclose(by_runs.gain, whole.gain, rtol=3e-3)
-    with pytest.raises(pam.InputError, match="model exchange only"):
+    with pytest.raises(pam.InputError, match="a steady state needs an FMU for model exchange"):
         pam.frequency_response(str(alone), at={name: 1.0}, free=[name], **words)
 
 

@@ -43,9 +43,13 @@ class World:
         ) -> list[FoldResult]:
             return [self.result(fold, effects) for fold in range(len(data))]
 
+        def base(subject: Any, search: Any, data: Any) -> list[FoldResult]:
+            return [self.result(fold, ()) for fold in range(len(data))]
+
         monkeypatch.setattr(module, "fold_results", results)
+        monkeypatch.setattr(module, "base_results", base)
         search: Any = SimpleNamespace(data=data_of(runs), say=lambda message: None)
-        return folds_of(search, tuple(self.gains), SimpleNamespace(values=values))  # type: ignore[arg-type]
+        return folds_of(None, search, tuple(self.gains), SimpleNamespace(values=values))  # type: ignore[arg-type]
 
 
 def test_an_effect_is_needed_in_most_folds_or_not_named(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -73,3 +77,11 @@ def test_each_run_is_left_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_what_is_noise_either_way_is_not_needed_and_what_cannot_be_absent_is() -> None:
     result = FoldResult({}, (), 0.0, {"Noise": 0.0, "Little": 0.5})
     assert not result.needs("Noise") and result.needs("Little") and result.needs("Law")
+
+
+def test_where_no_effect_is_named_the_error_is_that_of_the_base_model(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    folds = World({"Once": [5.0, 0, 0, 0, 0]}).folds(monkeypatch)
+    assert folds is not None and folds.named == ()
+    assert folds.worst["F"] == (pytest.approx(3.0), ("r0",))

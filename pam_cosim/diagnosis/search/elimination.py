@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from math import log
 
 import numpy as np
@@ -35,13 +35,8 @@ def needed_effects(
     values = dict(zip(linear.names, linear.values.tolist(), strict=True))
 
     def remaining(effects: Sequence[str]) -> float:
-        fixed = {
-            n: absent.get(n, values[n])
-            for e, own in parameters.items()
-            for n in own
-            if e not in effects and n in values
-        }
-        return _remaining_squares(linear, fixed) / (misfit * together)
+        fixed = left_out(effects, parameters, values, absent)
+        return fitted_with(linear, fixed)[1] / (misfit * together)
 
     kept = [*parameters]
     now = remaining(kept)
@@ -55,9 +50,26 @@ def needed_effects(
     return tuple(kept)
 
 
-def _remaining_squares(linear: Linear, fixed: Mapping[str, float]) -> float:
-    """The least sum of squares with some parameters at fixed values, to first order."""
-    return fitted_with(linear, fixed)[1]
+def left_out(
+    kept: Collection[str],
+    parameters: Mapping[str, Sequence[str]],
+    values: Mapping[str, float],
+    absent: Mapping[str, float],
+) -> dict[str, float]:
+    """The parameters of the effects that are not kept: where these vanish, or else where they stand [SI].
+
+    Args:
+        kept: the others.
+        parameters: full names of the parameters of each effect; those without a value are not fitted.
+        values: of the parameters.
+        absent: values at which the effects vanish.
+    """
+    return {
+        n: absent.get(n, values[n])
+        for e, own in parameters.items()
+        for n in own
+        if e not in kept and n in values
+    }
 
 
 def fitted_with(linear: Linear, fixed: Mapping[str, float]) -> tuple[dict[str, float], float]:

@@ -155,7 +155,7 @@ class PredictedFit(NamedTuple):
 
 @dataclass(frozen=True)
 class PredictedModel:
-    """A model that nobody fitted: one that was, with further effects, or with one exchanged for another.
+    """A model that nobody fitted: one that was, with a further effect, or with one exchanged for another.
 
     Attributes:
         start: effects of the fitted model that it starts from.
@@ -166,7 +166,7 @@ class PredictedModel:
     """
 
     start: tuple[str, ...]
-    added: tuple[EffectDirections, ...]
+    added: EffectDirections
     reduction: float
     exchanged: str = ""
     beside: LinearisedNeighbourhood | None = None
@@ -174,7 +174,7 @@ class PredictedModel:
     @cached_property
     def effects(self) -> tuple[str, ...]:
         """All effects."""
-        return (*(e for e in self.start if e != self.exchanged), *(a.effect for a in self.added))
+        return (*(e for e in self.start if e != self.exchanged), self.added.effect)
 
     @cached_property
     def set_of_effects(self) -> frozenset[str]:
@@ -186,8 +186,7 @@ class PredictedModel:
         """What is expected when all parameters keep to their bounds; None: it is not known."""
         if self.beside is None or self.exchanged:
             return None
-        several = itertools.product(*(a.shapes for a in self.added))
-        fits = (self.beside.within_bounds(shapes) for shapes in several)
+        fits = map(self.beside.within_bounds, self.added.shapes)
         return max(fits, key=lambda fit: fit.reduction - fit.chi2_priors)
 
 
@@ -218,7 +217,7 @@ class LinearisedNeighbourhood:
         self._gram = additions.gram - shared.T @ shared + _NOTHING_NEW * np.eye(len(self._along))
 
     def _gains(self, places: Sequence[Array]) -> list[float]:
-        """What the columns at each of these places can do together; those of one number are solved for at once."""
+        """What the columns at each of these places can do; those of one number are solved for at once."""
         gains = [0.0] * len(places)
         of_size: dict[int, list[int]] = {}
         for n, at in enumerate(places):
@@ -233,40 +232,36 @@ class LinearisedNeighbourhood:
                 gains[n] = float(one @ step)
         return gains
 
-    def within_bounds(self, shapes: Sequence[EffectShape]) -> PredictedFit:
-        """With effects of these shapes, as if what each of them does were not changed by the others."""
+    def within_bounds(self, shape: EffectShape) -> PredictedFit:
+        """With an effect of this shape."""
         own, k = self._linear, len(self._linear.names)
-        begin = [self.additions.begin[id(s)] for s in shapes]
-        slopes = np.array(
-            [at + i for at, s in zip(begin, shapes, strict=True) for i in range(len(s.names))], int
-        )
-        wholes = np.array([at + len(s.names) for at, s in zip(begin, shapes, strict=True)], int)
+        begin = self.additions.begin[id(shape)]
+        whole = begin + len(shape.names)
+        slopes = slice(begin, whole)
         gram, cross = self.additions.gram_of_moves, self._cross
         square = np.block(
             [
                 [self._known[:k, :k], cross[:k, slopes]],
-                [cross[:k, slopes].T, gram[np.ix_(slopes, slopes)]],
+                [cross[:k, slopes].T, gram[slopes, slopes]],
             ]
         )
         along = np.append(
-            self._known[:k, k] - cross[:k, wholes].sum(axis=1),
-            cross[k, slopes] - gram[np.ix_(slopes, wholes)].sum(axis=1),
+            self._known[:k, k] - cross[:k, whole], cross[k, slopes] - gram[slopes, whole]
         )
-        values = np.concatenate([own.values, *(s.values for s in shapes)])
-        low = np.concatenate([own.low, *(s.low for s in shapes)]) - values
-        high = np.concatenate([own.high, *(s.high for s in shapes)]) - values
-        names = (*own.names, *(n for s in shapes for n in s.names))
-        priors = {**own.priors, **{n: prior for s in shapes for n, prior in s.priors.items()}}
+        values = np.concatenate([own.values, shape.values])
+        low = np.concatenate([own.low, shape.low]) - values
+        high = np.concatenate([own.high, shape.high]) - values
+        names, priors = (*own.names, *shape.names), {**own.priors, **shape.priors}
         known, pull = prior_rows(names, values, priors)
         step = bounded_minimum(
             square + np.diag(known**2), along + known * pull, low, high, _NOTHING_NEW**2
         )
-        whole = 2 * float(cross[k, wholes].sum()) - float(gram[np.ix_(wholes, wholes)].sum())
-        gained = whole + float(step @ (2 * along - square @ step))
+        gained = 2 * float(cross[k, whole]) - float(gram[whole, whole])
+        gained += float(step @ (2 * along - square @ step))
         by_name = dict(zip(names, (values + step).tolist(), strict=True))
         off = sum(prior.surprise(by_name[n]) ** 2 for n, prior in priors.items())
         moves = self.additions.moves
-        moved = own.slopes @ step[:k] + moves[:, slopes] @ step[k:] + moves[:, wholes].sum(axis=1)
+        moved = own.slopes @ step[:k] + moves[:, slopes] @ step[k:] + moves[:, whole]
         return PredictedFit(max(gained, 0.0), by_name, off, own.residual - moved)
 
     def _single(self, own_family: bool) -> list[tuple[float, EffectDirections]]:
@@ -283,7 +278,7 @@ class LinearisedNeighbourhood:
     def with_one(self) -> list[PredictedModel]:
         """One further effect of another family."""
         return [
-            PredictedModel(self.effects, (a,), gain, beside=self) for gain, a in self._single(False)
+            PredictedModel(self.effects, a, gain, beside=self) for gain, a in self._single(False)
         ]
 
     @cached_property
@@ -291,5 +286,5 @@ class LinearisedNeighbourhood:
         """An effect exchanged for another of its family, as if that could do all that the first one does."""
         of = {self.family[e]: e for e in self.effects}
         return [
-            PredictedModel(self.effects, (a,), gain, of[a.family]) for gain, a in self._single(True)
+            PredictedModel(self.effects, a, gain, of[a.family]) for gain, a in self._single(True)
         ]

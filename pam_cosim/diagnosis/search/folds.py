@@ -8,6 +8,7 @@ parameters fitted again to first order. An effect that is needed in some folds o
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -19,10 +20,18 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import FailedTrial
 from pam_cosim.diagnosis.judgement.events import Remark
 from pam_cosim.diagnosis.judgement.folds import Folds
-from pam_cosim.diagnosis.search.elimination import fitted_with
+from pam_cosim.diagnosis.search.elimination import fitted_with, left_out
 from pam_cosim.diagnosis.search.search import FitRequest, Search
-from pam_cosim.diagnosis.search.trial import Trial, attempted, free_parameters, values_of_absence
-from pam_cosim.fitting import Fit, estimated_starts, fit
+from pam_cosim.diagnosis.search.subject import Subject
+from pam_cosim.diagnosis.search.trial import (
+    Trial,
+    attempted,
+    crashed,
+    free_parameters,
+    values_of_absence,
+)
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting import Fit, FitOptions, estimated_starts, fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import is_ratio
 from pam_cosim.simulation import Simulator
@@ -64,10 +73,11 @@ class FoldResult:
         return more > 0 and more - self.excess >= CRITERIA.folds.visible * more
 
 
-def folds_of(search: Search, effects: Sequence[str], final: Fit) -> Folds | None:
+def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fit) -> Folds | None:
     """Leaves out runs in turn, and asks for each effect whether it is needed then; None: too few runs.
 
     Args:
+        subject: the base model.
         search: with the data.
         effects: of the model.
         final: the model with them, fitted.
@@ -83,7 +93,9 @@ def folds_of(search: Search, effects: Sequence[str], final: Fit) -> Folds | None
     limit = CRITERIA.folds.believable
     unbelievable = {e: r for e, r in ratios.items() if not 1 / limit <= r <= limit}
     named = Folds(len(data), needed, unbelievable).named
-    if named and named != tuple(effects):
+    if not named:
+        results = base_results(subject, search, data)
+    elif named != tuple(effects):
         results = fold_results(search, data, named, final)
     errors: dict[str, list[tuple[float, tuple[str, ...]]]] = {}
     for one in results:
@@ -105,9 +117,22 @@ def fold_results(
         for trial in replace(search, data=one).brief_trials([FitRequest(effects, final.values)])
     ]
     results = search.effort.run_tasks(
-        run_fold, trials, lambda fold: fold.trial.failed("crashed"), lambda _: None, search.workers
+        run_fold, trials, lambda fold: crashed(fold.trial), lambda _: None, search.workers
     )
     return [r for r in results if isinstance(r, FoldResult)]
+
+
+def base_results(subject: Subject, search: Search, data: Sequence[DataSet]) -> list[FoldResult]:
+    """The base model in each fold; without those in which it breaks down."""
+    results = []
+    for one in data:
+        with (
+            suppress(SimulationFailure),
+            search.effort.counting(),
+            subject.simulator() as simulator,
+        ):
+            results.append(_result(fit(simulator, one, options=FitOptions(rules=False)), {}))
+    return results
 
 
 def _folds(data: DataSet) -> Iterator[DataSet]:
@@ -136,13 +161,18 @@ def _left_out(fold: FoldTrial, trial: Trial, simulator: Simulator) -> FoldResult
     for effect in fold.members:
         absent = values_of_absence([effect], own)
         if absent and best.linear is not None:
-            values, _ = fitted_with(best.linear, absent)
+            others = own.keys() - {effect.name}
+            values, _ = fitted_with(best.linear, left_out(others, own, best.values, absent))
             without[effect.name] = _excess(_judged(simulator, trial.data, best.values | values))
-    scores = best.comparison.scores["holdout"]
+    return _result(best, without)
+
+
+def _result(fitted: Fit, without: Mapping[str, float]) -> FoldResult:
+    scores = fitted.comparison.scores["holdout"]
     return FoldResult(
         {name: score.rmse for name, score in scores.items()},
-        tuple(run.name for run in trial.data.holdout_runs),
-        _excess(best.comparison),
+        tuple(run.name for run in fitted.comparison.data.holdout_runs),
+        _excess(fitted.comparison),
         without,
     )
 

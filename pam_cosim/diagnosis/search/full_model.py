@@ -19,7 +19,7 @@ import numpy as np
 from pam_cosim.catalogue import EffectClass
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import FailedTrial
-from pam_cosim.diagnosis.search.elimination import needed_effects
+from pam_cosim.diagnosis.search.elimination import left_out, needed_effects
 from pam_cosim.diagnosis.search.trial import (
     Trial,
     attempted,
@@ -79,11 +79,6 @@ def run_full(full: FullTrial) -> FullModel | FailedTrial:
     return attempted(full.trial, partial(_reduced, full), brief=False)
 
 
-def full_crashed(full: FullTrial) -> FailedTrial:
-    """The result where the process died."""
-    return full.trial.failed("the simulation crashed its process")
-
-
 def _reduced(full: FullTrial, trial: Trial, simulator: Simulator) -> FullModel:
     absent = values_of_absence(full.members, trial.composition.parameters)
     owned = {n for own in trial.composition.parameters.values() for n in own}
@@ -98,11 +93,11 @@ def _reduced(full: FullTrial, trial: Trial, simulator: Simulator) -> FullModel:
     while True:
         linear, misfit = _fitted(simulator, trial, free, held, misfit)
         values = dict(zip(linear.names, linear.values.tolist(), strict=True))
-        needed = needed_effects(linear, {e: own[e] for e in effects}, absent, misfit, full.price)
+        parameters = {e: own[e] for e in effects}
+        needed = needed_effects(linear, parameters, absent, misfit, full.price)
         if needed == effects:
             return FullModel(effects, values, misfit)
-        gone = [n for e in effects if e not in needed for n in own[e]]
-        held |= {n: absent.get(n, values[n]) for n in gone}
+        held |= left_out(needed, parameters, values, absent)
         free = [f.starting_at(values[f.name]) for f in free if f.name not in held]
         effects = needed
 

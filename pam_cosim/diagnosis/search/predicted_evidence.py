@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from math import log
 from typing import NamedTuple
@@ -176,9 +176,7 @@ class PredictedEvidence:
 
     def leading_families(self, c: Candidate, count: int) -> list[str]:
         """So many families of which a member promises most beside a model."""
-        families = (
-            self.ranking.search.family[e.added[0].effect] for e in self._single_additions(c)
-        )
+        families = (self.ranking.search.family[e.added.effect] for e in self._single_additions(c))
         return list(dict.fromkeys(families))[:count]
 
     def _single_additions(self, c: Candidate | None) -> list[PredictedModel]:
@@ -230,11 +228,7 @@ class PredictedEvidence:
             self.ranking.noise_floor(),
             self.ranking.attempted | self.ranking.search.displaced,
         )
-        every = [
-            p
-            for p in _from_nearest_start(self._expected(count))
-            if p.prediction.set_of_effects not in tried
-        ]
+        every = [p for p in self._expected(count) if p.prediction.set_of_effects not in tried]
         chosen: dict[tuple[str, ...], Proposal] = {}
         for threshold in self.ranking.acceptance_thresholds(count, possibly):
             own = [p for p in every if self._may_pass(p, threshold, possibly, noise_floor)]
@@ -371,7 +365,7 @@ class PredictedEvidence:
     def _additional_parameters(self, e: PredictedModel) -> int:
         """How many parameters a model has more than the one that it starts from."""
         lost = self.ranking.search.cost[e.exchanged] if e.exchanged else 0
-        return sum([a.cost for a in e.added]) - lost
+        return e.added.cost - lost
 
     def _optimistic_criterion(self, c: Candidate, scale: NoiseScale, noise_floor: float) -> float:
         """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""
@@ -379,11 +373,9 @@ class PredictedEvidence:
         return self.ranking.information_criterion(c, scale) - gain
 
     def fit_request(self, e: PredictedModel) -> FitRequest:
-        """A model to fit: from the fitted one, and the added effects as they were by themselves, or as expected."""
-        values: dict[str, float] = {}
-        for a in e.added:
-            if (a.effect,) in self.ranking.fitted:
-                values |= self.ranking.fitted[(a.effect,)].fit.values
+        """A model to fit: from the fitted one, and the added effect as it was by itself, or as expected."""
+        alone = self.ranking.fitted.get((e.added.effect,))
+        values = alone.fit.values if alone else {}
         start = self.ranking.fitted[e.start].fit.values if e.start else self.ranking.base.values
         expected = e.within_bounds
         return FitRequest(e.effects, values | start, expected.values if expected else {})
@@ -427,13 +419,3 @@ class PredictedEvidence:
             made = LinearisedNeighbourhood(effects, linear, self.ranking.search.family, additions)
             self._neighbourhoods[effects] = known = (linear, additions, made)
         return known[2]
-
-
-def _from_nearest_start(promises: Iterable[Proposal]) -> list[Proposal]:
-    """What is expected of each set of effects by the models that lack least of it: they know most of it."""
-    every = list(promises)
-    lack: dict[frozenset[str], int] = {}
-    for p in every:
-        names, added = p.prediction.set_of_effects, len(p.prediction.added)
-        lack[names] = min(added, lack.get(names, added))
-    return [p for p in every if len(p.prediction.added) == lack[p.prediction.set_of_effects]]

@@ -10,6 +10,8 @@ from functools import cached_property
 from pathlib import Path
 from typing import TypeVar
 
+import numpy as np
+
 from pam_cosim.catalogue import EffectClass, compose_on, qualified
 from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structure
@@ -19,8 +21,8 @@ from pam_cosim.diagnosis.judgement.events import CandidateTried, EffectProbed, R
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.diagnosis.search.effort import Effort
-from pam_cosim.diagnosis.search.elimination import fitted_with, needed_effects
-from pam_cosim.diagnosis.search.full_model import FullModel, FullTrial, full_crashed, run_full
+from pam_cosim.diagnosis.search.elimination import fitted_with, left_out, needed_effects
+from pam_cosim.diagnosis.search.full_model import FullModel, FullTrial, run_full
 from pam_cosim.diagnosis.search.probing import EffectProbe, StatedEffect
 from pam_cosim.diagnosis.search.trial import (
     Trial,
@@ -179,8 +181,8 @@ class Search:
         """The search without the samples that are outliers beside a fit, and with those that only seemed to be."""
         recorded = self.recorded or self.data
         runs = fit.comparison.against(recorded).runs
-        data, counts = without_outliers(recorded, runs, CRITERIA.noise.outliers_together)
-        return self if counts == self.outliers else replace(self, data=data)
+        data, _ = without_outliers(recorded, runs, CRITERIA.noise.outliers_together)
+        return self if _has_same_samples(data, self.data) else replace(self, data=data)
 
     @property
     def outliers(self) -> dict[str, int]:
@@ -249,7 +251,9 @@ class Search:
         if not fulls:
             return []
         self.say(Remark(f"fitting {len(fulls)} models with a member of every family").message)
-        results = self.effort.run_tasks(run_full, fulls, full_crashed, lambda _: None, self.workers)
+        results = self.effort.run_tasks(
+            run_full, fulls, lambda full: crashed(full.trial), lambda _: None, self.workers
+        )
         self.failed.extend(r for r in results if isinstance(r, FailedTrial))
         return [r for r in results if isinstance(r, FullModel)]
 
@@ -267,9 +271,8 @@ class Search:
         absent = values_of_absence([*map(self.effect, c.effects)], own)
         misfit = max(c.fit.residuals["fit"].chi2_reduced, 1.0)
         needed = needed_effects(c.fit.linear, own, absent, misfit, self.price, most)
-        values = c.fit.values
-        gone = {n: absent.get(n, values[n]) for e in c.effects if e not in needed for n in own[e]}
-        return FitRequest(needed, values, fitted_with(c.fit.linear, gone)[0])
+        gone = left_out(needed, own, c.fit.values, absent)
+        return FitRequest(needed, c.fit.values, fitted_with(c.fit.linear, gone)[0])
 
     def simpler_laws(self, c: Candidate) -> list[tuple[str, ...]]:
         """A fitted model with the law that one of its effects turns into where a parameter ended at a bound."""
@@ -365,6 +368,14 @@ class Search:
                     )
                 )
         return trials
+
+
+def _has_same_samples(one: DataSet, other: DataSet) -> bool:
+    return all(
+        np.array_equal(samples, b.measurements[name], equal_nan=True)
+        for a, b in zip(one.runs, other.runs, strict=True)
+        for name, samples in a.measurements.items()
+    )
 
 
 def result_message(c: Candidate | FailedTrial) -> Message:

@@ -9,9 +9,7 @@ from pam_cosim.comparison import without_outliers
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.events import BaseFitted, Remark
-from pam_cosim.diagnosis.judgement.evidence import (
-    rank,
-)
+from pam_cosim.diagnosis.judgement.evidence import rank
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.search.search_result import SearchResult
 from pam_cosim.fitting import Fit, FitOptions, fit

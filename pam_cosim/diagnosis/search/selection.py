@@ -2,7 +2,7 @@
 
 One number orders all models (``diagnosis.ranking``): the information criterion, of a model that was fitted as it is, of
 one that was not, or not to the end, as far as linear algebra predicts it (``diagnosis.predicted_evidence``). Single
-effects are tried first, then pairs. Where the best model leaves structure, models with a member of every family supply
+effects are tried first. Where the best of them leaves structure, models with a member of every family supply
 further sets of effects (``diagnosis.full_model``). From the best of both, single effects are exchanged for others of
 their family, left out and added, until none of it pays.
 """
@@ -16,10 +16,7 @@ from typing import Any
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.events import Remark
-from pam_cosim.diagnosis.judgement.evidence import (
-    may_have_structure,
-    rank,
-)
+from pam_cosim.diagnosis.judgement.evidence import may_have_structure, rank
 from pam_cosim.diagnosis.search.imitation import likest_members
 from pam_cosim.diagnosis.search.predicted_evidence import PredictedEvidence
 from pam_cosim.diagnosis.search.probing import EffectProbe
@@ -30,10 +27,7 @@ from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit
 
 
-def select_effects(
-    search: Search,
-    base: Fit,
-) -> SearchResult:
+def select_effects(search: Search, base: Fit) -> SearchResult:
     """The effects that are needed.
 
     Args:
@@ -226,10 +220,8 @@ class _Models:
                 self._exchange_members(best)
                 self._try(self._requests(best, self.search.simpler_laws(best)))
             law = self.ranking.leader(specific=True)
-            if (
-                few and law is not None and law is not best
-            ):  # what a general member says, laws may say
-                self._exchange_members(law)
+            if few and law is not None and law is not best:
+                self._exchange_members(law)  # what a general member says, laws may say
             self._finish_promising(best)
             self._leave_out(best)
             if not self._leads(best):
