@@ -30,7 +30,7 @@ FLOORS = (
     {"fitting": 26400, "ledger": 20900},
     {"problems": 5200},
     {"diagnosis": 63900},
-    {"reporting": 24700},
+    {"reporting": 25000},
     {"study": 19900},
     {"workbench": 29400},
     {"cli": 16000},

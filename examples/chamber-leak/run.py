@@ -27,7 +27,7 @@ from pam_cosim import study  # noqa: E402
 from pam_cosim.files import write_bytes, write_text  # noqa: E402
 from pam_cosim.fitting import Fit  # noqa: E402
 from pam_cosim.measurement import FreeParameter  # noqa: E402
-from pam_cosim.reporting.style import png  # noqa: E402
+from pam_cosim.reporting.style import image  # noqa: E402
 
 BENCH = "ClosedVessel"
 CHAMBERS = HERE / "chambers"
@@ -131,7 +131,7 @@ def draw(chambers: list[Chamber], strokes: list[friction.Stroke]) -> None:
     c.legend()
     for axis in (a, b, c):
         axis.grid(alpha=0.3)
-    write_bytes(HERE / "result.png", png(picture, dpi=100))
+    write_bytes(HERE / "result.png", image(picture, dpi=100))
     plt.close(picture)
 
 

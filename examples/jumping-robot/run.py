@@ -28,7 +28,7 @@ from pam_cosim import study  # noqa: E402
 from pam_cosim.files import write_bytes, write_text  # noqa: E402
 from pam_cosim.fitting import Fit  # noqa: E402
 from pam_cosim.measurement import DataSet, FreeParameter, Run  # noqa: E402
-from pam_cosim.reporting.style import png  # noqa: E402
+from pam_cosim.reporting.style import image  # noqa: E402
 
 BENCH = "SwitchedMuscle"
 DEAD = 0.018  # s; before this nothing reaches the muscle
@@ -153,7 +153,7 @@ def draw(first: Fit, last: Fit) -> None:
     axes[0, 0].legend(fontsize=7)
     picture.supxlabel("time [s]")
     picture.supylabel("pressure in the muscle [kPa gauge, zero taken off]")
-    write_bytes(HERE / "result.png", png(picture, dpi=100))
+    write_bytes(HERE / "result.png", image(picture, dpi=100))
     plt.close(picture)
 
 

@@ -28,7 +28,7 @@ from pam_cosim import study  # noqa: E402
 from pam_cosim.files import write_bytes, write_text  # noqa: E402
 from pam_cosim.fitting import Fit  # noqa: E402
 from pam_cosim.measurement import FreeParameter  # noqa: E402
-from pam_cosim.reporting.style import png  # noqa: E402
+from pam_cosim.reporting.style import image  # noqa: E402
 
 FOLDER = HERE / "carried-on"
 BENCH = "VesselOrifice"
@@ -131,7 +131,7 @@ def draw(pressure: Fit, both: Fit, nitrogen: Fit, film: Fit) -> None:
         axis.set(xlabel="time [s]", ylabel="temperature reading [K]", title=title)
         axis.grid(alpha=0.3)
         axis.legend(fontsize=7)
-    write_bytes(FOLDER / "result.png", png(picture, dpi=100))
+    write_bytes(FOLDER / "result.png", image(picture, dpi=100))
     plt.close(picture)
 
 

@@ -324,10 +324,11 @@ def _of_inputs(
     found: list[Convention] = []
     for name, words, change in _changes(tried.runs[0], units):
         try:
-            after = _chi2(list(evaluate(_changed(tried, change))), signals)
+            changed = list(evaluate(_changed(tried, change)))
         except SimulationFailure:
             continue
-        if after < _REMAINING_ERROR**2 * before:
+        after = _chi2(changed, signals)
+        if after < _REMAINING_ERROR**2 * before and not _explains_little(changed, signals):
             text = f"{words}: chi-square {after:.3g} against {before:.3g}; put it right under [columns]"
             found.append(Convention(name, text, _changed(data, change), after, before))
     return min(found, key=lambda one: one.chi2, default=None)

@@ -244,7 +244,7 @@ class SavedContent(CheckedTable):
     milestone: Text
     file: ModelicaFile | None
     runs: Names
-    chosen: Chosen = Chosen()
+    chosen: Chosen
     ladder: Annotated[list[SavedRung], _Many]
     steps: Annotated[list[AnyStep], _Many]
     fit: Product | None

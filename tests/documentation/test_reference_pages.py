@@ -112,7 +112,11 @@ def diagnoses() -> list[Diagnosis]:
         make_diagnosis("unknown", data, learned=make_learned(data), ledger=make_ledger()),
     ]
     return [
-        replace(one, verdict=replace(one.verdict, posterior=explained, folds=folds, table=table))
+        replace(
+            one,
+            convention="held commands fit the data much better",
+            verdict=replace(one.verdict, posterior=explained, folds=folds, table=table),
+        )
         for one in made
     ]
 

@@ -23,7 +23,7 @@ from rig.named import effect_of
 from rig.short import write_light_data
 
 CORPUS = json.loads((Path(__file__).parent / "corpora" / "saved_studies.json").read_text())
-CALLED = {"read", "compare", "fit", "diagnose", "add"}  # of pam_cosim
+CALLED = {"read", "compare", "fit", "diagnose", "add", "problem"}  # of pam_cosim
 
 
 @pytest.fixture(scope="module")
@@ -80,12 +80,28 @@ def only_calls_of_the_library(script: str) -> None:
             assert ast.unparse(node) == "import pam_cosim as pam"
         if isinstance(node, ast.Call):
             called = ast.unparse(node.func)
-            assert called in {"print", "next", *(f"pam.{name}" for name in CALLED)}, called
-        if isinstance(node, ast.Attribute):
+            of_library = {f"pam.{name}" for name in CALLED}
+            assert called in {"print", "next", "data.with_signals", *of_library}, called
+        if isinstance(node, ast.Attribute) and not is_data_of_problem(node):
             assert ast.unparse(node) in {
                 *(f"pam.{name}" for name in CALLED), "fit.values", "candidate.fit", "candidate.fit.values",
-                "diagnosis.candidates", "c.effects",
+                "diagnosis.candidates", "c.effects", "data.with_signals",
             }  # fmt: skip
+
+
+def is_data_of_problem(node: ast.Attribute) -> bool:
+    call = node.value
+    return (
+        node.attr == "data"
+        and isinstance(call, ast.Call)
+        and ast.unparse(call.func) == "pam.problem"
+    )
+
+
+def test_a_run_that_the_data_set_lacks_is_refused_when_it_is_read(study: Session) -> None:
+    for chosen in ({"roles": {"another": "fit"}}, {"cuts": {"another": (1.0, None)}}):
+        with pytest.raises(InputError, match="another"):
+            study.source.read(None, chosen)
 
 
 def printed(study: Session, state: State) -> None:
