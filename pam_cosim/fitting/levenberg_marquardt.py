@@ -60,7 +60,8 @@ def levenberg_marquardt(
             asked last and is finite.
         start: (n,) within the bounds, where the residuals are finite.
         bounds: lower and upper, (n,) each.
-        precision: a descent ends where a step takes away less than this part of the cost.
+        precision: a descent ends where a step takes away less than this part of the cost, or one that takes nothing
+            away promised less.
         most_evaluations: of ``squares``.
         is_over: asked before each step; the descent ends where it stands.
     """
@@ -80,6 +81,8 @@ def levenberg_marquardt(
         reduction = cost - new
         gain_ratio = reduction / predicted
         if not gain_ratio > _ACCEPTED:  # an infinite residual is no gain either
+            if predicted < precision * cost:
+                break
             damping *= growth
             growth *= 2
             trust_radius = float(np.max(np.abs(step))) / 2

@@ -103,7 +103,12 @@ class Objective:
         self.ends = np.cumsum([0, *counts])
         self.size = int(self.ends[-1])
         self.starts = EliminatedStarts(
-            simulator, data, self.runs, self.ends, to_first_order=starts_to_first_order
+            simulator,
+            data,
+            self.runs,
+            self.ends,
+            self._squares_from,
+            to_first_order=starts_to_first_order,
         )
         self.samples = sum(
             r.sample_count(s) * usual_square(data.signals[s]) for r, s in self.series
@@ -161,6 +166,16 @@ class Objective:
         return simulate_run(
             self.simulator, self.data, self.runs[i], values, self.tolerance, outputs
         )
+
+    def _squares_from(self, i: int, values: Mapping[str, float]) -> float:
+        """What a run leaves with given parameters and start [SI]; infinite where it breaks down."""
+        try:
+            run = simulate_run(
+                self.simulator, self.data, self.runs[i], values, self.tolerance, [*self._signals[i]]
+            )
+        except SimulationFailure:
+            return np.inf
+        return _squares(self._weighted(run, i))
 
     def is_at_noise(self, squares: float) -> bool:
         """Whether a sum of squares is so small that another start could find little."""

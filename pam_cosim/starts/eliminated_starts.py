@@ -33,7 +33,7 @@ class RestTrajectory(NamedTuple):
     Attributes:
         first: where each state begins then [SI].
         ranges: how far the run takes each state from there [SI]; zero where it rests.
-        begin: where an estimate begins [SI]: there, or at the start values among the parameters.
+        begin: where an estimate begins [SI]: there, or at the start values among the parameters, whichever leaves less.
     """
 
     first: dict[str, float]
@@ -54,6 +54,7 @@ class EliminatedStarts:
         data: the measurement with its noise.
         runs: the runs.
         ends: (runs + 1,) where the rows of the residuals of each run begin, and the last ones end.
+        squares_from: what a run leaves of its samples, by its number and the parameters with its start [SI].
         to_first_order: as above; start values among the parameters take the place of the first samples.
     """
 
@@ -63,10 +64,12 @@ class EliminatedStarts:
         data: DataSet,
         runs: Sequence[Run],
         ends: NDArray[np.int_],
+        squares_from: Callable[[int, Mapping[str, float]], float],
         *,
         to_first_order: bool = False,
     ) -> None:
         self._simulator, self._data, self._runs = simulator, data, runs
+        self._squares_from = squares_from
         self._rows = [slice(*rows) for rows in zip(ends[:-1], ends[1:], strict=True)]
         self.to_first_order = to_first_order
         self.by_run: dict[int, StartValues] = {}
@@ -156,9 +159,14 @@ class EliminatedStarts:
         times = np.unique(np.append(start_time(run), run.time))
         run_trajectory = start.trajectory(self._simulator, run, bare, times, states)
         initial = {n: float(run_trajectory[n][0]) for n in states}
-        return RestTrajectory(
-            initial, {n: _range(run_trajectory[n]) for n in states}, initial | given
-        )
+        begin = initial | given
+        if given and not about_given:
+            named = [{f"{n}@{run.name}": v for n, v in one.items()} for one in (initial, begin)]
+            if self._squares_from(i, {**values, **named[0]}) < self._squares_from(
+                i, {**values, **named[1]}
+            ):
+                begin = initial
+        return RestTrajectory(initial, {n: _range(run_trajectory[n]) for n in states}, begin)
 
     def set_out(self, z: Array, values: Mapping[str, float]) -> None:
         """Puts start values where ``z`` left them, or where new points look for them.

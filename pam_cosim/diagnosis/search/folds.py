@@ -26,6 +26,7 @@ from pam_cosim.diagnosis.search.subject import Subject
 from pam_cosim.diagnosis.search.trial import (
     Trial,
     attempted,
+    begin_of,
     crashed,
     free_parameters,
     values_of_absence,
@@ -114,7 +115,9 @@ def fold_results(
     trials = [
         FoldTrial(trial, members)
         for one in data
-        for trial in replace(search, data=one).brief_trials([FitRequest(effects, final.values)])
+        for trial in replace(search, data=one).brief_trials(
+            [FitRequest(effects, final.values_and_starts)]
+        )
     ]
     results = search.effort.run_tasks(
         run_fold, trials, lambda fold: crashed(fold.trial), lambda _: None, search.workers
@@ -155,7 +158,8 @@ def run_fold(fold: FoldTrial) -> FoldResult | FailedTrial:
 
 def _left_out(fold: FoldTrial, trial: Trial, simulator: Simulator) -> FoldResult:
     moved, _ = free_parameters(trial, simulator.interface)
-    best = fit(simulator, trial.data, moved, options=trial.options)
+    begins = begin_of(trial, simulator.interface)
+    best = fit(simulator, trial.data, moved, fixed=begins, options=trial.options)
     without = {}
     own = trial.composition.parameters
     for effect in fold.members:

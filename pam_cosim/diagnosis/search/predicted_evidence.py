@@ -376,9 +376,11 @@ class PredictedEvidence:
         """A model to fit: from the fitted one, and the added effect as it was by itself, or as expected."""
         alone = self.ranking.fitted.get((e.added.effect,))
         values = alone.fit.values if alone else {}
-        start = self.ranking.fitted[e.start].fit.values if e.start else self.ranking.base.values
+        start = self.ranking.fitted[e.start].fit if e.start else self.ranking.base
         expected = e.within_bounds
-        return FitRequest(e.effects, values | start, expected.values if expected else {})
+        return FitRequest(
+            e.effects, values | start.values_and_starts, expected.values if expected else {}
+        )
 
     def _start(self, c: Candidate | None) -> Start:
         """A fitted model to start from; None: the base model."""

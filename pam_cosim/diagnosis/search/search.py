@@ -212,7 +212,10 @@ class Search:
 
     def fit_completely(self, candidates: Sequence[Candidate], base: Fit) -> list[Candidate]:
         """Models that were fitted briefly, to the end: from where they stand, and from where they began."""
-        trials = self._trials([FitRequest(c.effects, base.values) for c in candidates])
+        begins = [{**base.values, **c.fit.start_values} for c in candidates]
+        trials = self._trials(
+            [FitRequest(c.effects, b) for c, b in zip(candidates, begins, strict=True)]
+        )
         values, numbers = {c.effects: c.fit.values for c in candidates}, CRITERIA.search
         options = {
             "rows": numbers.rows,
@@ -266,13 +269,13 @@ class Search:
         """A fitted model with the effects that the data need, so many at most, and its values, to first order."""
         composition = compose_on(self.tree, self.structure, c.effects)
         if c.fit.linear is None or composition is None:
-            return FitRequest(c.effects, c.fit.values)
+            return FitRequest(c.effects, c.fit.values_and_starts)
         own = {e: composition.parameters[e] for e in c.effects}
         absent = values_of_absence([*map(self.effect, c.effects)], own)
         misfit = max(c.fit.residuals["fit"].chi2_reduced, 1.0)
         needed = needed_effects(c.fit.linear, own, absent, misfit, self.price, most)
         gone = left_out(needed, own, c.fit.values, absent)
-        return FitRequest(needed, c.fit.values, fitted_with(c.fit.linear, gone)[0])
+        return FitRequest(needed, c.fit.values_and_starts, fitted_with(c.fit.linear, gone)[0])
 
     def simpler_laws(self, c: Candidate) -> list[tuple[str, ...]]:
         """A fitted model with the law that one of its effects turns into where a parameter ended at a bound."""

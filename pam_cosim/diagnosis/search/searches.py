@@ -12,7 +12,7 @@ from pam_cosim.diagnosis.judgement.events import BaseFitted, Remark
 from pam_cosim.diagnosis.judgement.evidence import rank
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.search.search_result import SearchResult
-from pam_cosim.fitting import Fit, FitOptions, fit
+from pam_cosim.fitting import Fit, FitOptions, base_parameters, fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.simulation import AnySimulator
 
@@ -21,13 +21,21 @@ def fit_base_model(
     simulator: AnySimulator, data: DataSet, say: Callable[[Message], None]
 ) -> tuple[DataSet, Fit]:
     """The data without outliers, and the base model fitted to them."""
-    options = FitOptions(rows=CRITERIA.search.rows, holdout_uncertainty=True)
+    numbers = CRITERIA.search
+    options = FitOptions(
+        rows=numbers.rows,
+        precision=numbers.precision,
+        evaluations=numbers.evaluations,
+        holdout_uncertainty=True,
+    )
     base = fit(simulator, data, options=options)
     data, outliers = without_outliers(data, base.comparison.runs)
     if outliers:
         counts = ", ".join(f"{count} of {name}" for name, count in outliers.items())
         say(Remark(f"single samples far off their neighbours are set aside: {counts}").message)
-        base = fit(simulator, data, options=options)
+        free = base_parameters(data, simulator.interface)
+        again = [f.starting_at(base.values[f.name]) for f in free]
+        base = fit(simulator, data, again, fixed=base.start_values, options=options)
     say(BaseFitted(base).message)
     for doubt in base.comparison.doubts:
         say(Remark(f"LOOK FIRST: {doubt.text}").message)

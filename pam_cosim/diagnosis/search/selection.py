@@ -254,7 +254,7 @@ class _Models:
     @staticmethod
     def _requests(best: Candidate, sets: Iterable[tuple[str, ...]]) -> list[FitRequest]:
         """Sets of effects, to be fitted from where a model stands."""
-        return [FitRequest(effects, best.fit.values) for effects in sets]
+        return [FitRequest(effects, best.fit.values_and_starts) for effects in sets]
 
     def _leading(self) -> Candidate | None:
         """The model to go on from: the answer, or what leaves least while nothing beats the base model."""
@@ -301,7 +301,7 @@ class _Models:
             member = {name: c.effect for name, c in better.items()}
             values = {n: v for c in better.values() for n, v in c.fit.values.items()}
             together = tuple(member.get(name, name) for name in best.effects)
-            self._try([FitRequest(together, values | best.fit.values)])
+            self._try([FitRequest(together, values | best.fit.values_and_starts)])
             every.append(together)
         return every
 
@@ -358,7 +358,7 @@ class _Models:
             for name, members in likest.items()
             for e in members[: CRITERIA.search.likest_families]
         }
-        self._try([FitRequest(effects, best.fit.values) for effects in first])
+        self._try([FitRequest(effects, best.fit.values_and_starts) for effects in first])
         # by itself an effect is worth a look from several starts
         self._finish_within_effort(
             [c for n in first if len(n) == 1 and (c := self.fitted.get(n)) and c.brief]
@@ -366,7 +366,7 @@ class _Models:
         near = [effects for effects, name in first.items() if self._is_near(effects, name, best)]
         self._try(
             [
-                FitRequest((*effects[:-1], e), best.fit.values)
+                FitRequest((*effects[:-1], e), best.fit.values_and_starts)
                 for effects in near
                 for e in self._members(self.search.family[effects[-1]])
                 if e not in self.search.general
@@ -475,8 +475,8 @@ class _Models:
     def _step_on_path(self, names: tuple[str, ...], best: Candidate) -> Candidate | None:
         """The answer to the end; what leads there in a few steps, which is enough to show how the error falls."""
         if names == best.effects:
-            return self.search.fit_final(names, best.fit.values)
-        few = self.search.fit_briefly([FitRequest(names, best.fit.values)])
+            return self.search.fit_final(names, best.fit.values_and_starts)
+        few = self.search.fit_briefly([FitRequest(names, best.fit.values_and_starts)])
         return few[0] if few else None
 
     def _record(self, candidates: Sequence[Candidate]) -> None:

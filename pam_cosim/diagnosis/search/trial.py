@@ -186,23 +186,27 @@ def attempted(
 
 def _fitted(trial: Trial, simulator: Simulator) -> Candidate:
     moved, starts = free_parameters(trial, simulator.interface)
-    best = fit(simulator, trial.data, moved, starts=starts, options=trial.options)
+    begins = begin_of(trial, simulator.interface)
+    best = fit(simulator, trial.data, moved, fixed=begins, starts=starts, options=trial.options)
     if trial.effect.general and trial.prune:
         names = trial.composition.parameters[trial.effect.name]
         best = pruned(simulator, trial.data, moved, names, best, trial.options.precision)
     return trial.candidate(best)
 
 
+def begin_of(trial: Trial, interface: Interface) -> dict[str, float]:
+    """Where the runs of the model that a trial starts from begin, as far as it has the same states, by "state@run"."""
+    return {n: v for n, v in trial.start.items() if n.rpartition("@")[0] in interface.states}
+
+
 def _objective(trial: Trial, simulator: Simulator) -> Objective:
     moved, _ = free_parameters(trial, simulator.interface)
-    names = {f.name for f in moved}
-    begins = {n: v for n, v in trial.start.items() if "@" in n and n not in names}
     return Objective(
         simulator,
         trial.data,
         trial.data.fit_runs,
         moved,
-        begins,
+        begin_of(trial, simulator.interface),
         trial.options.tolerance,
         starts_to_first_order=True,
     )
