@@ -144,10 +144,12 @@ class LinearWorld(Search):
         return []
 
     def reduced(self, c: Candidate, most: int) -> FitRequest:
-        strengths = {e: abs(c.fit.values[f"{e}.strength"]) for e in c.effects}
-        strongest = sorted(c.effects, key=lambda e: -strengths[e])[:most]
-        needed = tuple(e for e in c.effects if e in strongest and strengths[e] > _NEEDED)
-        return FitRequest(needed, c.fit.values)
+        strongest = self.by_need(c)[:most]
+        needed = (e for e in strongest if abs(c.fit.values[f"{e}.strength"]) > _NEEDED)
+        return FitRequest(tuple(needed), c.fit.values)
+
+    def by_need(self, c: Candidate) -> tuple[str, ...]:
+        return tuple(sorted(c.effects, key=lambda e: -abs(c.fit.values[f"{e}.strength"])))
 
     def without_outliers(self, fit: Fit) -> LinearWorld:
         return self

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from math import log
 
 import numpy as np
@@ -29,6 +29,25 @@ def needed_effects(
         price: of an effect in the criterion, without its parameters.
         most: number of effects that are kept at most, those that are needed most; None: any.
     """
+    kept = [*parameters]
+    for effect, gain in elimination(linear, parameters, absent, misfit, price):
+        if gain > 0 and (most is None or len(kept) <= most):
+            break
+        kept.remove(effect)
+    return tuple(kept)
+
+
+def elimination(
+    linear: Linear,
+    parameters: Mapping[str, Sequence[str]],
+    absent: Mapping[str, float],
+    misfit: float,
+    price: float,
+) -> Iterator[tuple[str, float]]:
+    """The effects in the order in which they are left out, the least needed first, as for ``needed_effects``.
+
+    Each with what it gains beside those that are still there, less what it costs; without those that have no absence.
+    """
     together = _samples_of_one(linear)
     of_parameter = log(max(len(linear.residual) / together, CRITERIA.evidence.least_samples))
     cost = {e: price + of_parameter * len(own) for e, own in parameters.items()}
@@ -43,11 +62,9 @@ def needed_effects(
     while removable := [e for e in kept if any(n in absent for n in parameters[e])]:
         without = {e: remaining([n for n in kept if n != e]) for e in removable}
         first = min(removable, key=lambda e: (without[e] - cost[e], e))
-        if without[first] - now > cost[first] and (most is None or len(kept) <= most):
-            break
+        yield first, without[first] - now - cost[first]
         kept.remove(first)
         now = without[first]
-    return tuple(kept)
 
 
 def left_out(

@@ -23,6 +23,7 @@ from pam_cosim.diagnosis.search.elimination import left_out, needed_effects
 from pam_cosim.diagnosis.search.trial import (
     Trial,
     attempted,
+    begin_of,
     every_parameter,
     values_of_absence,
 )
@@ -48,7 +49,7 @@ class FullModel:
 
     Attributes:
         effects: names, in the order of the model.
-        values: of all parameters [SI].
+        values: of all parameters, and where runs begin [SI].
         misfit: mean square of what it leaves, at least one [noise variances].
     """
 
@@ -90,13 +91,14 @@ def _reduced(full: FullTrial, trial: Trial, simulator: Simulator) -> FullModel:
     ]
     own, effects = trial.composition.parameters, tuple(e.name for e in full.members)
     misfit, held = full.misfit, dict[str, float]()
+    begins: Mapping[str, float] = begin_of(trial, simulator.interface)
     while True:
-        linear, misfit = _fitted(simulator, trial, free, held, misfit)
+        linear, misfit, begins = _fitted(simulator, trial, free, {**begins, **held}, misfit)
         values = dict(zip(linear.names, linear.values.tolist(), strict=True))
         parameters = {e: own[e] for e in effects}
         needed = needed_effects(linear, parameters, absent, misfit, full.price)
         if needed == effects:
-            return FullModel(effects, values, misfit)
+            return FullModel(effects, {**values, **begins}, misfit)
         held |= left_out(needed, parameters, values, absent)
         free = [f.starting_at(values[f.name]) for f in free if f.name not in held]
         effects = needed
@@ -147,11 +149,11 @@ def _fitted(
     free: Sequence[Free],
     held: Mapping[str, float],
     misfit: float,
-) -> tuple[Linear, float]:
-    """The model, fitted and linearised there; and its misfit: the mean square of what it leaves, at least one.
+) -> tuple[Linear, float, Mapping[str, float]]:
+    """The model, fitted and linearised there; its misfit: the mean square of what it leaves, at least one; its starts.
 
     Args:
-        held: values of effects that are left out, by name [SI].
+        held: values of effects that are left out, and where runs begin, by name [SI].
 
     Raises:
         SimulationFailure: it cannot be simulated.
@@ -169,13 +171,18 @@ def _fitted(
             objective.squares, objective.triangle, z, objective.bounds, _PRECISION, _EVALUATIONS
         ).z
         before, residual = misfit, objective.residuals(z)[: objective.size]
+        held = {**held, **objective.starts.settings}
         misfit = max(float(residual @ residual) / max(objective.samples, 1.0), 1.0)
         if misfit > _SETTLED * before:
             break
     linear = linearised(objective, z, CRITERIA.search.rows)
     if linear is None:
         raise SimulationFailure(objective.first_failure)
-    return replace(linear, priors={f.name: f.prior for f in free if f.prior is not None}), misfit
+    return (
+        replace(linear, priors={f.name: f.prior for f in free if f.prior is not None}),
+        misfit,
+        objective.starts.settings,
+    )
 
 
 def _tighter(prior: Prior, misfit: float) -> Prior:

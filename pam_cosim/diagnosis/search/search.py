@@ -21,7 +21,12 @@ from pam_cosim.diagnosis.judgement.events import CandidateTried, EffectProbed, R
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.diagnosis.search.effort import Effort
-from pam_cosim.diagnosis.search.elimination import fitted_with, left_out, needed_effects
+from pam_cosim.diagnosis.search.elimination import (
+    elimination,
+    fitted_with,
+    left_out,
+    needed_effects,
+)
 from pam_cosim.diagnosis.search.full_model import FullModel, FullTrial, run_full
 from pam_cosim.diagnosis.search.probing import EffectProbe, StatedEffect
 from pam_cosim.diagnosis.search.trial import (
@@ -267,15 +272,30 @@ class Search:
 
     def reduced(self, c: Candidate, most: int) -> FitRequest:
         """A fitted model with the effects that the data need, so many at most, and its values, to first order."""
-        composition = compose_on(self.tree, self.structure, c.effects)
-        if c.fit.linear is None or composition is None:
+        own, absent = self._own_parameters(c.effects)
+        if c.fit.linear is None:
             return FitRequest(c.effects, c.fit.values_and_starts)
-        own = {e: composition.parameters[e] for e in c.effects}
-        absent = values_of_absence([*map(self.effect, c.effects)], own)
         misfit = max(c.fit.residuals["fit"].chi2_reduced, 1.0)
         needed = needed_effects(c.fit.linear, own, absent, misfit, self.price, most)
         gone = left_out(needed, own, c.fit.values, absent)
         return FitRequest(needed, c.fit.values_and_starts, fitted_with(c.fit.linear, gone)[0])
+
+    def by_need(self, c: Candidate) -> tuple[str, ...]:
+        """The effects of a fitted model, those that are left out last first, to first order."""
+        if c.fit.linear is None:
+            return c.effects
+        misfit = max(c.fit.residuals["fit"].chi2_reduced, 1.0)
+        own, absent = self._own_parameters(c.effects)
+        gone = [e for e, _ in elimination(c.fit.linear, own, absent, misfit, self.price)]
+        return (*(e for e in c.effects if e not in gone), *reversed(gone))
+
+    def _own_parameters(
+        self, effects: Sequence[str]
+    ) -> tuple[dict[str, tuple[str, ...]], dict[str, float]]:
+        """The parameters of each effect of a model by full name, and their values where the effects vanish [SI]."""
+        composition = compose_on(self.tree, self.structure, effects)
+        own = {e: composition.parameters[e] for e in effects} if composition else {}
+        return own, values_of_absence([self.effect(e) for e in own], own)
 
     def simpler_laws(self, c: Candidate) -> list[tuple[str, ...]]:
         """A fitted model with the law that one of its effects turns into where a parameter ended at a bound."""

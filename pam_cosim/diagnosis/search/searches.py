@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from pam_cosim.comparison import without_outliers
@@ -11,6 +11,7 @@ from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.events import BaseFitted, Remark
 from pam_cosim.diagnosis.judgement.evidence import rank
 from pam_cosim.diagnosis.judgement.message import Message
+from pam_cosim.diagnosis.search.search import FitRequest, Search
 from pam_cosim.diagnosis.search.search_result import SearchResult
 from pam_cosim.fitting import Fit, FitOptions, base_parameters, fit
 from pam_cosim.measurement import DataSet
@@ -42,17 +43,45 @@ def fit_base_model(
     return data, base
 
 
+def one_by_one(
+    search: Search,
+    base: Fit,
+    effects: Sequence[str],
+    start: Mapping[str, float],
+    known: dict[tuple[str, ...], Candidate],
+) -> list[Candidate]:
+    """A model's effects, added one after another, each with its evidence beside the model before.
+
+    The model itself to the end; what leads there in a few steps, which is enough to show how the error falls.
+
+    Args:
+        search: with the data.
+        base: the model without effects.
+        effects: of the model.
+        start: values to start from [SI].
+        known: models that were fitted, by their effects; what is fitted here is added.
+    """
+    models: list[Candidate] = []
+    for k in range(1, len(effects) + 1):
+        names, last = tuple(effects[:k]), k == len(effects)
+        own = known.get(names)
+        if own is None or (last and (own.brief or own.general)):
+            own = search.fit_final(names, start) if last else _briefly(search, names, start)
+        if own is not None:
+            known[names] = own
+            models += rank(models[-1].fit if models else base, [own])
+    return models
+
+
+def _briefly(
+    search: Search, effects: tuple[str, ...], start: Mapping[str, float]
+) -> Candidate | None:
+    return next(iter(search.fit_briefly([FitRequest(effects, start)])), None)
+
+
 def with_effects(result: SearchResult, effects: Sequence[str]) -> SearchResult:
     """The same, the model with only some of its effects."""
-    known = {c.effects: c for c in result.tried if not c.brief}
-    steps = [tuple(effects[: k + 1]) for k in range(len(effects))]
-    models = (known.get(s) or result.search.fit_final(s, result.last.values) for s in steps)
-    return replace(result, path=_path(result.base, filter(None, models)))
-
-
-def _path(base: Fit, models: Iterable[Candidate]) -> tuple[Candidate, ...]:
-    """Models with their evidence, each compared with the one before."""
-    path: list[Candidate] = []
-    for c in models:
-        path += rank(path[-1].fit if path else base, [c.without_slopes])
-    return tuple(path)
+    known = {c.effects: c for c in result.tried}
+    start = result.last.values_and_starts
+    models = one_by_one(result.search, result.base, effects, start, known)
+    return replace(result, path=tuple(c.without_slopes for c in models))

@@ -16,13 +16,14 @@ from typing import Any
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.events import Remark
-from pam_cosim.diagnosis.judgement.evidence import may_have_structure, rank
+from pam_cosim.diagnosis.judgement.evidence import may_have_structure
 from pam_cosim.diagnosis.search.imitation import likest_members
 from pam_cosim.diagnosis.search.predicted_evidence import PredictedEvidence
 from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.diagnosis.search.ranking import Ranking
 from pam_cosim.diagnosis.search.search import FitRequest, Search
 from pam_cosim.diagnosis.search.search_result import SearchResult
+from pam_cosim.diagnosis.search.searches import one_by_one
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit
 
@@ -446,38 +447,22 @@ class _Models:
         finished = set[tuple[str, ...]]()
         while (best := self.ranking.answer()) is not None:
             models = self._one_by_one(best)
-            if not models or models[-1].effects != best.effects:
+            if not models or {*models[-1].effects} != {*best.effects}:
                 del self.fitted[best.effects]
                 self.ranking.update_scale()
                 continue
             answer = self.ranking.answer()  # one of the models on the way may turn out to be enough
-            if best.effects in finished or answer is None or answer.effects == best.effects:
+            if best.effects in finished or answer is None or {*answer.effects} == {*best.effects}:
                 return [c.without_slopes for c in models]
             finished.add(best.effects)
         return []
 
     def _one_by_one(self, best: Candidate) -> list[Candidate]:
-        models: list[Candidate] = []
-        for k in range(1, len(best.effects) + 1):
-            names = best.effects[:k]
-            own = self.fitted.get(names)
-            if own is None or (k == len(best.effects) and (own.brief or own.general)):
-                finished = self._step_on_path(names, best)
-                if finished is None:
-                    continue
-                own = finished
-                self.fitted[names] = own
-                self.ranking.update_scale()
-            before = models[-1].fit if models else self.base
-            models.append(rank(before, [own])[0])
+        effects = best.effects if len(best.effects) <= _FEW else self.search.by_need(best)
+        start = best.fit.values_and_starts
+        models = one_by_one(self.search, self.base, effects, start, self.fitted)
+        self.ranking.update_scale()
         return models
-
-    def _step_on_path(self, names: tuple[str, ...], best: Candidate) -> Candidate | None:
-        """The answer to the end; what leads there in a few steps, which is enough to show how the error falls."""
-        if names == best.effects:
-            return self.search.fit_final(names, best.fit.values_and_starts)
-        few = self.search.fit_briefly([FitRequest(names, best.fit.values_and_starts)])
-        return few[0] if few else None
 
     def _record(self, candidates: Sequence[Candidate]) -> None:
         """Keeps the better fit of each model; one to the end began where the brief one stood, and is more exact."""
