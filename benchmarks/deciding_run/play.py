@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from blind_cases.many import Made
+from blind_cases.cases import Made
 from blind_cases.noise import disturb
 from pam_cosim.measurement import Run, Start
 from rig.played import PlayedSchedule

@@ -11,7 +11,7 @@ import numpy as np
 
 from benchmarks.deciding_run.play import played
 from benchmarks.deciding_run.scene import Scene
-from blind_cases import many
+from blind_cases import cases
 from pam_cosim import study
 from pam_cosim.diagnosis.planning import limits_of
 from pam_cosim.measurement import DataSet
@@ -26,15 +26,15 @@ LEAST = 3.0  # standard deviations that a hidden effect shows at least, in all r
 
 def is_asked(number: int) -> bool:
     """Whether a case is among those of this benchmark: one effect that shows, on a bench with inputs."""
-    case = many.case_of(SET, number)
+    case = cases.case_of(SET, number)
     return case.group in GROUPS and case.design.bench in BENCHES and min(case.targets) >= LEAST
 
 
 def scene(number: int) -> Scene:
     """A case; a further run is as long as the recording that there is, within the limits of the case's own plan."""
-    made = many.make(many.case_of(SET, number))
+    made = cases.make(cases.case_of(SET, number))
     with tempfile.TemporaryDirectory() as folder:
-        many.write(made, Path(folder))
+        cases.write(made, Path(folder))
         whole = study.read(folder)
     data = _scarce(whole)
     seconds = float(data.runs[0].time[-1] - data.runs[0].time[0])

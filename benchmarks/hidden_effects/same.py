@@ -1,7 +1,7 @@
 """Whether two versions of the program say the same of the same cases, number for number.
 
-    python -m benchmarks.hidden_effects.score --set tuning --cases 10 --out before.jsonl
-    git checkout OTHER; python -m benchmarks.hidden_effects.score --set tuning --cases 10 --out after.jsonl
+    python -m benchmarks.hidden_effects.score --set tuning3 --cases 10 --out before.jsonl
+    git checkout OTHER; python -m benchmarks.hidden_effects.score --set tuning3 --cases 10 --out after.jsonl
     python -m benchmarks.hidden_effects.same before.jsonl after.jsonl
 
 Prints every value that differs, by its place in the JSON; the status is 1 where one does. Times are not compared.

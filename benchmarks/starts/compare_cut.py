@@ -19,7 +19,7 @@ import pam_cosim as pam
 from benchmarks.results import append_result, read_results
 from benchmarks.starts.cutting import in_pieces, without_beginning
 from benchmarks.starts.sines import in_sines, last_period
-from blind_cases import many
+from blind_cases import cases
 
 WAYS: dict[str, Callable[[Path, Path, int], Path]] = {
     "whole": lambda source, folder, seed: source,
@@ -57,15 +57,15 @@ def verdict(folder: Path) -> dict[str, Any]:
 
 def one(which: str, number: int, diagnosed: bool) -> dict[str, Any]:
     """A case in each way."""
-    case = many.case_of(which, number)
-    outline = many.outline(case)
+    case = cases.case_of(which, number)
+    outline = cases.outline(case)
     result: dict[str, Any] = {"set": which, "number": number, "bench": outline["bench"], "signals": outline["signals"],
                               "group": outline["group"], "families": outline["families"],
                               "same_as": outline["same_as"]}  # fmt: skip
     with tempfile.TemporaryDirectory() as name:
         base = Path(name)
-        made = many.make(case)
-        many.write(made, base / "whole")
+        made = cases.make(case)
+        cases.write(made, base / "whole")
         result["size"] = made.description["size"]["projected"]
         for way, make in WAYS.items():
             result[way] = _result(way, partial(make, base / "whole", base / way, number), diagnosed)
@@ -73,8 +73,8 @@ def one(which: str, number: int, diagnosed: bool) -> dict[str, Any]:
     return result
 
 
-def _one_period(case: many.Case, base: Path, number: int) -> Path:
-    many.write(many.make(case, in_sines), base / "sines")
+def _one_period(case: cases.Case, base: Path, number: int) -> Path:
+    cases.write(cases.make(case, in_sines), base / "sines")
     return last_period(base / "sines", base / "sine", number)
 
 

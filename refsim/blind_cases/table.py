@@ -31,7 +31,7 @@ from rig import catalogue, seen
 from rig.effect import Effect
 from rig.muscle import MuscleParameters
 
-__all__ = ["FAMILIES", "FORMS", "SETS", "STRANGE", "Form", "forms", "strange_forms"]
+__all__ = ["FAMILIES", "FORMS", "SETS", "STRANGE", "Form"]
 
 
 def _mooney_rivlin(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
@@ -560,18 +560,3 @@ def _second_order(rng: np.random.Generator) -> Callable[[float], Effect]:
 def _offset_and_gain(rng: np.random.Generator) -> Callable[[float], Effect]:
     p_0 = rng.uniform(3e4, 1.2e5)
     return lambda s: seen.pressure_offset.OffsetAndGain(1 + 0.04 * s, p_0)
-
-
-def forms(which: str, catalogue: bool) -> dict[str, tuple[Form, ...]]:
-    """Forms of a set by family, those that the catalogue has or those that it lacks."""
-    return {
-        family: tuple(
-            x for x in FORMS if x.family == family and which in x.sets and x.catalogue is catalogue
-        )
-        for family in FAMILIES
-    }
-
-
-def strange_forms(which: str) -> tuple[Form, ...]:
-    """Effects in no family, of a set."""
-    return tuple(form for form in STRANGE if which in form.sets)

@@ -7,7 +7,7 @@ import pytest
 from benchmarks.explanations.cases import CASES, Truth
 from benchmarks.explanations.one import _named, _names
 from benchmarks.explanations.table import table
-from blind_cases.sets import case_of, outline
+from blind_cases.cases import case_of, outline
 
 
 def test_variables_are_read_off_a_formula() -> None:
