@@ -124,11 +124,6 @@ def test_every_effect_begins_at_rest() -> None:
 
 @pytest.mark.full
 def test_states_that_begin_at_rest_are_marked() -> None:
-    check_each(check_marks, one_of_each_family())
-
-
-@pytest.mark.full
-def test_all_of_them_are_marked() -> None:
     check_each(check_marks, storing())
 
 

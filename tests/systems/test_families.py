@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from math import pi
 from pathlib import Path
 from typing import Any
 
@@ -15,15 +14,12 @@ from rig.short import write_light_data
 
 _FILM = 2 / (1 / 20.0 - 0.254e-3 / 0.14)  # two films and the wall make 20 W/(m2 K)
 
-# hidden effect: its family, the same law in the catalogue with its parameter and true value
+# hidden effect: the same law in the catalogue with its parameter and true value
 HIDDEN = {
     "elasticity:linear": ("LinearBladder", "k", 250.0),
     "dry_friction:coulomb": ("CoulombFriction", "F_c", 8.0),
-    "rate_friction:viscous": ("ViscousFriction", "c", 300.0),
-    "leak:orifice": ("OrificeLeak", "A", 0.7 * pi / 4 * 0.1e-3**2),
     "valve_dynamics:lag": ("ValveLag", "tau", 0.08),
     "gas_energy:film": ("EnergyGas", "h", _FILM),
-    "thermocouple_lag:first_order": ("ThermocoupleLag", "tau", 0.15),
 }
 
 
