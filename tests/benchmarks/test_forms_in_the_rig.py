@@ -69,7 +69,7 @@ def base(bench):
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("form", ALL, ids=_name)
+@pytest.mark.parametrize("form", ALL[::4], ids=_name)
 def test_the_rig_runs_at_the_bounds_of_a_strength_and_shows_the_larger(bench, base, form):
     """What a gauge that errs shows of the pressure has no bound of physics; the gas has, and the load."""
     at = form.make(np.random.default_rng(9), bench.muscle)
@@ -93,8 +93,9 @@ def test_new_forms_run_on_each_bench_that_takes_them(bench):
     setup = draw(np.random.default_rng(3), Design(bench, signals, 50.0, 1)).driven()
     base = setup.simulate()[0]
     taken = [form for form in NEW if setup.design.rig.takes(cases._sample(form), signals)]
-    assert len({form.family for form in taken}) >= 3
-    for form in taken:
+    by_family = {form.family: form for form in taken}
+    assert len(by_family) >= 3
+    for form in by_family.values():
         run = setup.simulate([form.make(np.random.default_rng(9), setup.muscle)(1.0)])[0]
         assert all(np.isfinite(run[name]).all() for name in signals), form.name
         assert any(not np.array_equal(run[name], base[name]) for name in signals), form.name
@@ -102,7 +103,7 @@ def test_new_forms_run_on_each_bench_that_takes_them(bench):
 
 @pytest.mark.parametrize("form", NEW[::6], ids=_name)
 def test_the_rig_runs_at_an_ordinary_strength(bench, base, form):
-    """A sample of the new forms; all of them, at their bounds, are in the other tier."""
+    """A sample of the new forms; another one, at its bounds, is in the other tier."""
     run = bench.simulate([form.make(np.random.default_rng(9), bench.muscle)(1.0)])[0]
     assert any(not np.allclose(run[name], base[name], rtol=1e-9, atol=0.0) for name in base)
 

@@ -51,7 +51,7 @@ def test_an_effect_both_excluded_and_expected_is_refused_where_it_stands(
     file = tmp_path / "d" / "experiment.toml"
     file.write_text(f"{file.read_text()}\n[effects]\n{table}\n")
     with pytest.raises(InputError, match="leak is both excluded, .* keep one of them") as refused:
-        study.diagnose(study.read(tmp_path / "d"), workers=0, **words)
+        study.diagnose(study.read(tmp_path / "d"), workers=0, explain=False, **words)
     assert (refused.value.file, refused.value.line) == (file, len(file.read_text().splitlines()))
 
 

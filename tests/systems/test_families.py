@@ -33,7 +33,7 @@ def but_first_in_full(cases: Iterable[Any]) -> list[Any]:
 def test_hidden_effect_is_found(tmp_path: Path, workers: int | None, hidden: str) -> None:
     family = hidden.partition(":")[0]
     data = study.read(write_light_data(tmp_path / "d", [effect_of(hidden)], seed=1))
-    diagnosis = study.diagnose(data, workers=workers)
+    diagnosis = study.diagnose(data, explain=False, workers=workers)
     assert diagnosis.verdict.kind == "identified", diagnosis.verdict
     assert diagnosis.verdict.families == (family,)
     assert diagnosis.candidates[0].family == family
@@ -52,6 +52,7 @@ def test_hidden_effect_is_found(tmp_path: Path, workers: int | None, hidden: str
 def test_family_is_found_where_its_form_is_not_listed(tmp_path: Path, workers: int | None) -> None:
     diagnosis = study.diagnose(
         study.read(write_light_data(tmp_path / "d", [UNLISTED["inlet_jet"]], seed=1)),
+        explain=False,
         workers=workers,
     )
     assert (diagnosis.verdict.kind, diagnosis.verdict.families) == (
@@ -68,7 +69,9 @@ def test_family_is_found_where_its_form_is_not_listed(tmp_path: Path, workers: i
 @pytest.mark.parametrize("seed", but_first_in_full(range(3)))
 def test_muscle_that_lacks_nothing(tmp_path: Path, workers: int | None, seed: int) -> None:
     _nothing(
-        study.diagnose(study.read(write_light_data(tmp_path / "d", seed=seed)), workers=workers)
+        study.diagnose(
+            study.read(write_light_data(tmp_path / "d", seed=seed)), explain=False, workers=workers
+        )
     )
 
 
