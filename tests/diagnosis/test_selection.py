@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from pam_cosim.diagnosis.search.selection import _Models, select_effects
+from pam_cosim.diagnosis.search.selection import select_effects
 from tests.diagnosis.linear_world import KNOWN, SHELF, LinearWorld, world
 from tests.tiers import quick
 
@@ -120,18 +120,3 @@ def test_the_time_limit_ends_the_search_and_says_what_was_not_tried() -> None:
     looks = sum(count for _, count in pair.looks)
     assert 0 < looks < len(SHELF)  # the first are looked at whatever the time
     assert len(selection.probes) == looks
-
-
-@pytest.mark.parametrize("superfluous", ["OrificeLeak", "GeneralLeak"])
-def test_an_effect_that_is_chosen_but_not_needed_goes(superfluous: str) -> None:
-    """The set that the search came to by its expectations holds one too many; nobody fitted it without."""
-    needed = ("LinearBladder", "ThermocoupleLag")
-    pair = world(dict.fromkeys(needed, 5.0))
-    models = _Models(pair, pair.fitted(()))
-    models.probe()
-    chosen = (needed[0], superfluous, needed[1])
-    models.fitted[chosen] = pair.candidate(chosen)
-    models.ranking.update_scale()
-    models.refine()
-    answer = models.ranking.answer()
-    assert answer is not None and set(answer.effects) == set(needed)

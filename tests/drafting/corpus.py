@@ -229,26 +229,6 @@ def _regulators() -> Iterator[Case]:
         [T_S, ("p_ref [bar]", "p_set", BAR), ("p_bar", "p", BAR), ("L_mm", "x", LEFT)],
     )
     yield make(
-        "psi",
-        own,
-        [
-            ("Time (s)", "t", _same),
-            ("Pset_psi", "p_set", times(PSI)),
-            ("P_psi", "p", times(PSI)),
-            ("stroke (inch)", "x", times(INCH)),
-        ],
-    )
-    yield make(
-        "absolute",
-        own,
-        [
-            ("time_s", "t", _same),
-            ("p_set_abs [bar]", "p_set", ABS_BAR),
-            ("p_abs [bar]", "p", ABS_BAR),
-            ("x_mm", "x", MM),
-        ],
-    )
-    yield make(
         "over",
         own,
         [
@@ -280,16 +260,6 @@ def _regulators() -> Iterator[Case]:
             ("position", "x", MM),
         ],
     )
-    yield make(
-        "micrometres",
-        own,
-        [
-            ("t_ms", "t", MS),
-            ("p_set_bar", "p_set", BAR),
-            ("p_bar", "p", BAR),
-            ("x [um]", "x", times(1e-6)),
-        ],
-    )
 
 
 def _currents() -> Iterator[Case]:
@@ -298,7 +268,6 @@ def _currents() -> Iterator[Case]:
     make = lambda name, heads, **more: _case(
         "valves", name, two, heads, truth, bench, **{"stated": LOAD, **more}
     )  # noqa: E731
-    supply = {**LOAD["parameters"], "p_supply": "5 bar"}
     yield make(
         "mA",
         [
@@ -310,17 +279,6 @@ def _currents() -> Iterator[Case]:
             ("Kontraktion [mm]", "x", MM),
         ],
         held=True,
-    )
-    yield make(
-        "A",
-        [
-            T_S,
-            ("u_in [A]", "u_in", _same),
-            ("u_out [A]", "u_out", _same),
-            ("p_supply [bar]", "p_supply", BAR),
-            ("p [bar]", "p", BAR),
-            ("x [mm]", "x", MM),
-        ],
     )
     yield make(
         "numbered",
@@ -335,29 +293,6 @@ def _currents() -> Iterator[Case]:
         ],
         separator=";",
         decimal=",",
-    )
-    yield make(
-        "temperature",
-        [
-            T_S,
-            ("I_ein [mA]", "u_in", MA),
-            ("I_aus [mA]", "u_out", MA),
-            ("p_supply [kPa]", "p_supply", KPA),
-            ("p [kPa]", "p", KPA),
-            ("x [mm]", "x", MM),
-            ("T_gas [degC]", "T", CELSIUS),
-        ],
-    )
-    yield make(
-        "supply stated",
-        [
-            T_S,
-            ("i_inlet [A]", "u_in", _same),
-            ("i_exhaust [A]", "u_out", _same),
-            ("p [kPa]", "p", KPA),
-            ("contraction [mm]", "x", MM),
-        ],
-        stated={"parameters": supply},
     )
     yield make(
         "supply not stated",
@@ -381,17 +316,6 @@ def _currents() -> Iterator[Case]:
             ("x [mm]", "x", MM),
         ],
         index=True,
-    )
-    yield make(
-        "absolute gauge",
-        [
-            T_S,
-            ("I_in [mA]", "u_in", MA),
-            ("I_out [mA]", "u_out", MA),
-            ("p_sup_abs [bar]", "p_supply", ABS_BAR),
-            ("p_m [bar a]", "p", ABS_BAR),
-            ("x [cm]", "x", times(1e-2)),
-        ],
     )
 
 
@@ -417,10 +341,6 @@ def _presses() -> Iterator[Case]:
         [("t", "t", _same), ("Druck", "p", KPA), ("Laenge", "s", LEFT), ("Kraft", "F", _same)],
     )
     yield mat(
-        "units in names",
-        [("time_s", "t", _same), ("p_bar", "p", BAR), ("L_mm", "s", LEFT), ("F_N", "F", _same)],
-    )
-    yield mat(
         "kilograms",
         [
             ("t_ms", "t", MS),
@@ -435,15 +355,6 @@ def _presses() -> Iterator[Case]:
     yield text(
         "pull below zero",
         [T_S, ("p [kPa]", "p", KPA), ("L [mm]", "s", LEFT), ("F [N]", "F", times(-1.0))],
-    )
-    yield text(
-        "psi and kN",
-        [
-            ("Time (s)", "t", _same),
-            ("Pressure (psi)", "p", times(PSI)),
-            ("Length (mm)", "s", LEFT),
-            ("Force (kN)", "F", times(1e3)),
-        ],
     )
     yield text(
         "contraction",
@@ -473,17 +384,6 @@ def _tanks() -> Iterator[Case]:
         suffix="txt",
     )
     yield make(
-        "kelvin",
-        [
-            ("t [ms]", "t", MS),
-            ("u_in [A]", "u_in", _same),
-            ("u_out [A]", "u_out", _same),
-            ("p_supply [kPa]", "p_supply", KPA),
-            ("p [kPa]", "p", KPA),
-            ("T [K]", "T", _same),
-        ],
-    )
-    yield make(
         "fahrenheit",
         [
             ("time_s", "t", _same),
@@ -506,28 +406,6 @@ def _tanks() -> Iterator[Case]:
         ],
         answer=supply,
     )
-    yield make(
-        "no units",
-        [
-            ("time", "t", _same),
-            ("I_in", "u_in", MA),
-            ("I_out", "u_out", MA),
-            ("p_supply", "p_supply", BAR),
-            ("p", "p", BAR),
-            ("Temp", "T", CELSIUS),
-        ],
-    )
-    yield make(
-        "MPa",
-        [
-            ("t_us", "t", times(1e-6)),
-            ("I_in_mA", "u_in", MA),
-            ("I_out_mA", "u_out", MA),
-            ("p_sup_MPa", "p_supply", times(1e6)),
-            ("p_MPa", "p", times(1e6)),
-            ("T_C", "T", CELSIUS),
-        ],
-    )
 
 
 def _vessels() -> Iterator[Case]:
@@ -540,7 +418,6 @@ def _vessels() -> Iterator[Case]:
         "absolute",
         [("time_s", "t", _same), ("pressure_bar_abs", "p", ABS_BAR), ("T_K", "T", _same)],
     )
-    yield make("gauge", [T_S, ("p [kPa]", "p", KPA), ("T [degC]", "T", CELSIUS)])
     yield make(
         "german",
         [("Zeit (s)", "t", _same), ("Druck (bar)", "p", BAR), ("Temperatur (°C)", "T", CELSIUS)],
@@ -554,15 +431,6 @@ def _vessels() -> Iterator[Case]:
             ("TP3 [bar]", "p", BAR),
             ("gas temperature [degC]", "T", CELSIUS),
             ("Pressure_switch", "t", lambda t: (t < 20).astype(float)),
-        ],
-    )
-    yield make(
-        "room beside",
-        [
-            T_S,
-            ("p [mbar]", "p", times(100.0)),
-            ("T [degC]", "T", CELSIUS),
-            ("T_room [degC]", "T", lambda T: np.full(len(T), 20.0)),
         ],
     )
     yield make(
@@ -589,17 +457,6 @@ def _switches() -> Iterator[Case]:
         **{"stated": LOAD, "held": True, **more},
     )  # noqa: E731
     supply = ("p_supply [bar]", "p_supply", BAR)
-    yield make(
-        "numbers",
-        [
-            T_S,
-            ("valve_in", "u_in", _same),
-            ("valve_out", "u_out", _same),
-            supply,
-            ("p [bar]", "p", BAR),
-            ("x [mm]", "x", MM),
-        ],
-    )
     yield make(
         "german",
         [
@@ -663,17 +520,6 @@ def _switches() -> Iterator[Case]:
         stated=LOAD,
         held=True,
     )
-    yield make(
-        "supply stated",
-        [
-            T_S,
-            ("valve_in", "u_in", _same),
-            ("valve_out", "u_out", _same),
-            ("p [bar]", "p", BAR),
-            ("x [mm]", "x", MM),
-        ],
-        stated={"parameters": {**LOAD["parameters"], "p_supply": "5 bar"}},
-    )
 
 
 def _maps() -> Iterator[Case]:
@@ -681,7 +527,6 @@ def _maps() -> Iterator[Case]:
     make = lambda name, heads, **more: _case(
         "map", name, [_map(1)], heads, "p s F", "QuasiStaticIsometric", **more
     )  # noqa: E731
-    yield make("plain", [("p [kPa]", "p", KPA), ("x [mm]", "x", MM), ("F [N]", "F", _same)])
     yield make("words", [("pressure", "p", KPA), ("contraction", "x", MM), ("force", "F", _same)])
     yield make(
         "german",
@@ -715,7 +560,6 @@ def _pairs() -> Iterator[Case]:
     yield make("structures", {"log.mat": _mat(nested)})
     for name, time, data in (
         ("dotted", "{}.Time", "{}.Data"),
-        ("underscores", "{}_time", "{}"),
         ("t first", "t_{}", "{}"),
         ("brackets", "{}.Time [s]", "{}.Data [{}]"),
     ):
@@ -751,19 +595,6 @@ def _cells() -> Iterator[Case]:
         ("p_supply [kPa]", "p_supply", KPA),
     ]
     yield make(
-        "newton", [T_S, *valves, ("p [kPa]", "p", KPA), ("x [mm]", "x", MM), ("F [N]", "F", _same)]
-    )
-    yield make(
-        "position",
-        [
-            T_S,
-            *valves,
-            ("pressure [kPa]", "p", KPA),
-            ("position [mm]", "x", MM),
-            ("load cell [N]", "F", _same),
-        ],
-    )
-    yield make(
         "german",
         [
             ("Zeit [s]", "t", _same),
@@ -794,7 +625,6 @@ def _imposed() -> Iterator[Case]:
     make = lambda name, heads, **more: _case(
         "imposed", name, two, heads, "p x", "VerticalLoad|HangingLoad", **{"stem": "w2kg_", **more}
     )  # noqa: E731
-    yield make("plain", [T_S, ("p [kPa]", "p", KPA), ("x [mm]", "x", MM)])
     yield make(
         "french",
         [("temps (s)", "t", _same), ("pression (bar)", "p", BAR), ("déplacement (mm)", "x", MM)],
@@ -810,10 +640,6 @@ def _imposed() -> Iterator[Case]:
     yield make(
         "counter",
         [("micros", "t", lambda t: np.round(1e6 * t)), ("p_kPa", "p", KPA), ("x_mm", "x", MM)],
-    )
-    yield make(
-        "absolute",
-        [("t_s", "t", _same), ("p_psia", "p", times(PSI, AMBIENT / PSI)), ("x_mm", "x", MM)],
     )
     yield make("no units", [("time", "t", _same), ("Druck", "p", BAR), ("Weg", "x", MM)])
     yield make(

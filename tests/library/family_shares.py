@@ -41,6 +41,8 @@ PAGE = ROOT / "benchmarks" / "families" / "README.md"
 BEGIN, END = "<!-- shares: begin -->", "<!-- shares: end -->"
 ENOUGH = 0.02  # share of squared error left
 LEAST_SIZE = 0.1  # standard deviations; less is nothing to take away
+FORMLESS = {e.name: e.family for e in effects() if e.general or e.name.startswith("Flexible")}
+"""Members whose law is a function with coefficients, and their families."""
 FAMILIES = tuple(dict.fromkeys(form.family for form in FORMS))
 
 
@@ -131,7 +133,7 @@ def _off(one: Free) -> list[dict[str, float]]:
 
 
 def shares(form: Form, names: Sequence[str] = ()) -> list[Share]:
-    """What effects of the catalogue leave of a form: by default the general member of its family.
+    """What effects of the catalogue leave of a form: by default the general and flexible members of its family.
 
     Where more than ``ENOUGH`` is left, the fit is tried again from more starts.
     """
@@ -140,7 +142,7 @@ def shares(form: Form, names: Sequence[str] = ()) -> list[Share]:
     base = fitted_base(data).residuals["fit"]
     size = float(np.sqrt(base.chi2 / base.samples))
     made = []
-    for name in names or [e.name for e in effects() if e.family == form.family and e.general]:
+    for name in names or [n for n, family in FORMLESS.items() if family == form.family]:
         begin = time.perf_counter()
         left = fitted_with(name, data).residuals["fit"].chi2 / base.chi2
         if left > ENOUGH:
@@ -151,12 +153,20 @@ def shares(form: Form, names: Sequence[str] = ()) -> list[Share]:
 
 
 def table(every: Sequence[Share]) -> str:
-    """Markdown: what the general member of the family leaves of each form, or the best of its general members."""
-    lines = ["| family | form | size | general member leaves |", "|---|---|---|---|"]
+    """Markdown: what the general and flexible members of the family leave of each form, the best of each."""
+    lines = [
+        "| family | form | size | general member leaves | flexible member leaves |",
+        "|---|---|---|---|---|",
+    ]
     for form in FORMS:
         own = [s for s in every if (s.family, s.form) == (form.family, form.name)]
-        left = _percent(min(s.left for s in own)) if own[0].size > LEAST_SIZE else ""
-        lines.append(f"| `{form.family}` | {form.name} | {own[0].size:.1f} | {left} |")
+        flexible = [s.left for s in own if s.effect.startswith("Flexible")]
+        general = [s.left for s in own if not s.effect.startswith("Flexible")]
+        shown = [
+            _percent(min(left)) if left and own[0].size > LEAST_SIZE else ""
+            for left in (general, flexible)
+        ]
+        lines.append(f"| `{form.family}` | {form.name} | {own[0].size:.1f} | {' | '.join(shown)} |")
     return "\n".join(lines)
 
 
