@@ -73,11 +73,6 @@ def test_a_third_effect_is_found_that_acts_in_another_way_beside_the_base_model(
     assert all(count < len(SHELF) / 2 for _, count in several.looks[1:])
 
 
-@pytest.mark.full
-def test_two_effects_of_one_family_are_not_taken_for_one_of_another() -> None:
-    assert families(world({"LinearBladder": 5.0, "YoungBladder": 2.0})) >= {"elasticity"}
-
-
 @pytest.mark.parametrize(
     ("weak", "named"), [(0.4, False), (0.8, True)], ids=["measurable", "large enough"]
 )
@@ -92,23 +87,6 @@ def test_six_effects_that_one_after_another_cannot_find() -> None:
         "CoulombFriction": 3.0,
     }  # fmt: skip
     assert families(world(hidden)) == {KNOWN[name].family for name in hidden}
-
-
-def test_what_was_best_when_the_time_was_over_is_the_answer(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """Though it was fitted in a few steps only."""
-    one = world({"LinearBladder": 30.0})
-    times = iter(
-        [0.0]
-    )  # the first look at the clock is in time, before the first few steps; every other is late
-    monkeypatch.setattr(
-        "pam_cosim.diagnosis.search.effort.time.monotonic", lambda: next(times, 2.0)
-    )
-    one.effort.deadline = 1.0
-    selection = select_effects(one, one.fitted(()))
-    assert selection.untried and not one.tried  # none was fitted to the end before
-    assert [c.family for c in selection.path] == ["elasticity"]
 
 
 def test_the_time_limit_ends_the_search_and_says_what_was_not_tried() -> None:
