@@ -178,26 +178,6 @@ class Wiper(Effect):
 
 
 @law
-class FallingFriction(Effect):
-    """A Dahl bristle whose force is larger in slow motion, by the share a exp(-(v/v_s)^2)."""
-
-    atol: ClassVar[tuple[float, ...]] = (1e-7,)
-    f_c: float = 8.0  # N
-    travel: float = 3e-4  # m
-    a: float = 0.4
-    v_s: float = 0.015  # m/s
-
-    def initial(self, rest: Rest) -> tuple[float, ...]:
-        return (0.0,)
-
-    def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        return ((now.v - abs(now.v) * q[0]) / self.travel,)
-
-    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
-        return self.f_c * q[0] * (1 + self.a * exp(-((v / self.v_s) ** 2)))
-
-
-@law
 class CrossingContact(Effect):
     """Dry friction where fibres cross: c p sin(2 theta_0)/sin(2 theta) tanh(v/width), theta the braid's angle.
 

@@ -106,14 +106,6 @@ class MovingContact(Effect):
 
 
 @law
-class DissipatedHeat(Effect):
-    """All friction heats the gas, that on the bladder in extension too."""
-
-    def friction_heat(self, fibre: float, bladder: float) -> float:
-        return fibre + sqrt(bladder * bladder)
-
-
-@law
 class PressedContact(Effect):
     """The harder fibres are pressed on the bladder, the more of their heat goes to it: power times share p/(p + p_0).
 

@@ -6,8 +6,8 @@ from math import exp, sqrt
 from typing import ClassVar
 
 from rig.catalogue.gas_energy import EnergyGas
-from rig.effect import Effect, Now, Rest, State, law
-from rig.flow import GAMMA, P_ATM, T_ATM, R
+from rig.effect import Now, Rest, State, law
+from rig.flow import P_ATM, T_ATM
 
 _LATENT = 2.5e6  # J/kg
 _SETTLING = 0.05  # s, in which droplets grow or vanish
@@ -167,46 +167,6 @@ class GasSpring(EnergyGas):
 
     def wall_temperature(self, q: State, outside: float) -> float:
         return (outside + self.c * q[1]) / (1 + self.c)
-
-
-@law
-class FilmGas(Effect):
-    """Mass and energy balance; the film is h (p/p_atm)^a + h_1 (|m_jet|/0.1 g/s)^k, the jet dies away in tau.
-
-    With a second virial coefficient b [m3/kg] the temperature is that of p V = m (R T + b p). The enthalpy is gamma u,
-    with the internal energy u = p v/(gamma - 1).
-    """
-
-    energy_balance: ClassVar[bool] = True
-    atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-10)
-    h: float = 15.0  # W/(m2 K)
-    a: float = 0.5
-    h_1: float = 30.0  # W/(m2 K)
-    k: float = 0.8
-    tau: float = 0.05  # s
-    b: float = 0.0
-    wall: float = 1.8e-3  # m2 K/W, t/k
-
-    def initial(self, rest: Rest) -> tuple[float, ...]:
-        return rest.gas_mass / (1 + self.b * P_ATM / (R * T_ATM)), 0.0
-
-    def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        return now.net_mass_flow, (now.net_mass_flow - q[1]) / self.tau
-
-    def temperature(self, q: State, pressure_volume: float, polytropic: float) -> float:
-        p = (
-            P_ATM * (polytropic / T_ATM) ** 6
-        )  # the rig's polytropic law backwards, its exponent is 1.2
-        return (pressure_volume / q[0] - self.b * p) / R
-
-    def enthalpy_beyond(self, p: float) -> float:
-        return GAMMA / (GAMMA - 1) * self.b * p
-
-    def film(self, q: State, h: float, p: float, temperature: float) -> float:
-        film = self.h * (p / P_ATM) ** self.a + self.h_1 * ((q[1] ** 2 + 1e-16) / 1e-8) ** (
-            self.k / 2
-        )
-        return float(1 / (2 / film + self.wall))
 
 
 @law

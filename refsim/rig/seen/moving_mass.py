@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from math import cos, pi, sqrt, tanh
+from math import pi, sqrt, tanh
 from typing import ClassVar
 
 from rig.effect import Effect, Now, Rest, State, law
-from rig.flow import G
 
 
 @law
@@ -136,46 +135,6 @@ class SideSled(Effect):
 
     def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
         return self.m * (self.a + x) * self.d**2 / (self.d**2 + (self.a + x) ** 2) ** 2 * v * v
-
-
-@law
-class WeightedLever(Effect):
-    """A mass on a lever of the ratio 1 + x/x_0: inertia m (1 + x/x_0)^2, weight in proportion to the ratio."""
-
-    m: float = 3.0  # kg
-    x_0: float = 0.08  # m
-    share: float = 0.3  # of the weight, the rest is balanced
-
-    def balanced_mass(self, x: float) -> float:
-        return self.m * self._ratio(x) ** 2
-
-    def resting_mass(self) -> float:
-        return self.share * self.m
-
-    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
-        inertial = self.m * self._ratio(x) / self.x_0 * v * v if x > 0 else 0.0
-        return inertial + self.share * self.m * G * self._ratio(x)
-
-    def _ratio(self, x: float) -> float:
-        return 1 + max(x, 0.0) / self.x_0
-
-
-@law
-class Arm(Effect):
-    """A weight on an arm that turns by x/r: constant inertia, weight by the cosine of its angle."""
-
-    m: float = 2.0  # kg
-    r: float = 0.1  # m
-    angle: float = -0.2  # rad, at the start
-
-    def balanced_mass(self, x: float) -> float:
-        return self.m
-
-    def resting_mass(self) -> float:
-        return 0.5 * self.m * cos(self.angle)
-
-    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
-        return 0.5 * self.m * G * cos(self.angle + max(x, 0.0) / self.r)
 
 
 @law

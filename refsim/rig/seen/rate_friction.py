@@ -144,18 +144,6 @@ class ViscousBladder(Effect):
 
 
 @law
-class GrowingDamper(Effect):
-    """Friction c v (1 + x/x_0), in extension a share of it."""
-
-    c: float = 120.0  # N s/m
-    x_0: float = 0.02  # m
-    back: float = 1.0
-
-    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
-        return self.c * v * (1 + max(x, 0.0) / self.x_0) * (1.0 if v > 0 else self.back)
-
-
-@law
 class ThinningOil(Effect):
     """A dashpot of silicone oil, which thins when sheared: c v (1 + (v/v_0)^2)^((n - 1)/2).
 

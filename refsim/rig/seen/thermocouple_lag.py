@@ -195,49 +195,6 @@ class LongWire(Effect):
 
 
 @law
-class Bead(Effect):
-    """A thermocouple's bead: exchange p^n (1 + (|m|/m_0)^k), less radiation to surroundings that stay cold."""
-
-    atol: ClassVar[tuple[float, ...]] = (1e-6,)
-    tau: float = 0.5  # s
-    n: float = 0.3
-    m_0: float = 5e-5  # kg/s
-    k: float = 0.6
-    radiation: float = 0.08
-    both_ways: bool = True  # whether venting counts as a flow
-
-    def initial(self, rest: Rest) -> tuple[float, ...]:
-        return (rest.temperature,)
-
-    def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        flow = abs(now.net_mass_flow) if self.both_ways else max(now.net_mass_flow, 0.0)
-        exchange = (1 + now.p_gauge / P_ATM) ** self.n * (1 + (flow / self.m_0) ** self.k)
-        return ((exchange * (now.temperature - q[0]) - self.radiation * (q[0] - T_ATM)) / self.tau,)
-
-    def reading(self, q: State, temperature: float) -> float:
-        return q[0]
-
-
-@law
-class Shares(Effect):
-    """A share of the reading follows the gas with one time constant, the rest with another."""
-
-    atol: ClassVar[tuple[float, ...]] = (1e-6, 1e-6)
-    tau: float = 0.2  # s
-    slow: float = 2.0  # s
-    share: float = 0.6  # of the quick part
-
-    def initial(self, rest: Rest) -> tuple[float, ...]:
-        return rest.temperature, rest.temperature
-
-    def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        return (now.temperature - q[0]) / self.tau, (now.temperature - q[1]) / self.slow
-
-    def reading(self, q: State, temperature: float) -> float:
-        return self.share * q[0] + (1 - self.share) * q[1]
-
-
-@law
 class Compensated(Effect):
     """A thermocouple whose amplifier makes up for a part of its lag: q + r tau q', q' = (T - q)/tau.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import sqrt, tanh
+from math import sqrt
 from typing import ClassVar
 
 import numpy as np
@@ -192,29 +192,6 @@ class ThreeLags(Effect):
 
     def current(self, q: State, command: Currents) -> Currents:
         return q[2], q[5]
-
-
-@law
-class LimitedRate(Effect):
-    """The currents that act follow at a limited rate, up or down: rate tanh(gap/u_0), slower or faster down."""
-
-    atol: ClassVar[tuple[float, ...]] = (1e-8, 1e-8)
-    rate: float = 3.0  # A/s
-    u_0: float = 0.01  # A
-    down: float = 1.0  # rate down by that up
-
-    def initial(self, rest: Rest) -> tuple[float, ...]:
-        return 0.0, 0.0
-
-    def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        a, b = (self._toward(u - y) for u, y in zip(now.command, q, strict=True))
-        return a, b
-
-    def current(self, q: State, command: Currents) -> Currents:
-        return q[0], q[1]
-
-    def _toward(self, gap: float) -> float:
-        return self.rate * (1.0 if gap > 0 else self.down) * tanh(gap / self.u_0)
 
 
 @law

@@ -157,31 +157,6 @@ class MetalEnds(Effect):
 
 
 @law
-class LayeredWall(Effect):
-    """A wall in two layers; the outer one loses its heat by g dT (|dT|/5 K)^n."""
-
-    atol: ClassVar[tuple[float, ...]] = (1e-6, 1e-6)
-    capacity: float = 0.2  # J/K
-    ratio: float = 3.0
-    between: float = 0.1  # W/K
-    g: float = 0.03  # W/K
-    n: float = 0.25
-
-    def initial(self, rest: Rest) -> tuple[float, ...]:
-        return T_ATM, T_ATM
-
-    def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        passed, warm = self.between * (q[0] - q[1]), q[1] - T_ATM
-        lost = self.g * warm * ((warm * warm + 1e-4) / 25) ** (self.n / 2)
-        return (-now.heat_to_gas - passed) / self.capacity, (passed - lost) / (
-            self.ratio * self.capacity
-        )
-
-    def wall_temperature(self, q: State, outside: float) -> float:
-        return q[0]
-
-
-@law
 class ExhaustDraught(Effect):
     """The exhaust blows along the muscle and cools its wall: loss g_out dT (1 + c a) with the exhaust's opening a.
 
