@@ -8,12 +8,12 @@ from dataclasses import replace
 import pytest
 
 from pam_cosim.diagnosis.search.selection import select_effects
-from tests.diagnosis.linear_world import KNOWN, SHELF, LinearWorld, world
+from tests.diagnosis.linear_world import CATALOGUE, KNOWN, LinearWorld, world
 from tests.tiers import quick
 
 
 def families(searched: LinearWorld) -> set[str]:
-    family = {e.name: e.family for e in SHELF}
+    family = {e.name: e.family for e in CATALOGUE}
     path = select_effects(searched, searched.fitted(())).path
     return {family[e] for e in path[-1].effects} if path else set()
 
@@ -69,8 +69,8 @@ def test_a_third_effect_is_found_that_acts_in_another_way_beside_the_base_model(
     hidden = {"LinearBladder": 20.0, "ThermocoupleLag": 20.0, "GeneralLeak": 3.0}
     several = world(hidden, masked="leak")
     assert families(several) == {KNOWN[name].family for name in hidden}
-    assert several.looks[0] == ((), len(SHELF))
-    assert all(count < len(SHELF) / 2 for _, count in several.looks[1:])
+    assert several.looks[0] == ((), len(CATALOGUE))
+    assert all(count < len(CATALOGUE) / 2 for _, count in several.looks[1:])
 
 
 @pytest.mark.parametrize(
@@ -96,5 +96,5 @@ def test_the_time_limit_ends_the_search_and_says_what_was_not_tried() -> None:
     assert selection.untried
     assert not pair.tried
     looks = sum(count for _, count in pair.looks)
-    assert 0 < looks < len(SHELF)  # the first are looked at whatever the time
+    assert 0 < looks < len(CATALOGUE)  # the first are looked at whatever the time
     assert len(selection.probes) == looks

@@ -33,7 +33,7 @@ from rig.effect import Effect
 from rig.measurement import BOUNDS, simulate_plan, write_data_set
 from rig.muscle import MuscleParameters
 from rig.plan import Plan, default_plan
-from tests.library.shelf import BENCH, effects, on_bench
+from tests.library.catalogue import BENCH, effects, on_bench
 
 ROOT = Path(__file__).parents[2]
 RESULTS = Path(__file__).with_name("family_shares.json")

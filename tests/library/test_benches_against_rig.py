@@ -21,7 +21,7 @@ from rig.catalogue.valve_dynamics import ValveLag
 from rig.effect import Effect
 from rig.schedule import Course, Phase, SampledSchedule, Schedule
 from rig.trial import Trial
-from tests.library.shelf import effects, on_bench, values
+from tests.library.catalogue import effects, on_bench, values
 from tests.tiers import quick_but
 
 TOLERANCE = {"p": 5.0, "p_1": 5.0, "p_2": 5.0, "x": 1e-7, "F": 0.01, "T": 2e-3}

@@ -10,7 +10,7 @@ import pytest
 
 from pam_cosim.catalogue import EffectClass
 from pam_cosim.model.interface import Interface
-from tests.library.shelf import (
+from tests.library.catalogue import (
     BENCH,
     base,
     built,

@@ -15,8 +15,8 @@ from pam_cosim.fmu import build_source
 from pam_cosim.model.interface import sensitivity_name
 from pam_cosim.resources import modelica_root
 from pam_cosim.simulation import Inputs, Settle, Simulator, Trajectory
+from tests.library.catalogue import BENCH, check_each, effects, on_bench
 from tests.library.rigs import choices, rig
-from tests.library.shelf import BENCH, check_each, effects, on_bench
 
 CLASSES = sorted(
     p for p in (modelica_root() / "PneumaticMuscle").rglob("*.mo") if p.name != "package.mo"

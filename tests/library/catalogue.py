@@ -62,11 +62,6 @@ def benches() -> tuple[str, ...]:
     )
 
 
-def qualified(effect: str) -> str:
-    """The full name of an effect's class."""
-    return next(e.qualified_name for e in effects() if e.name == effect)
-
-
 @cache
 def structure(bench: str) -> Structure:
     """What a bench consists of, for all effects that are put into it."""

@@ -15,7 +15,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement import write_data_set
 from pam_cosim.simulation import Simulator
 from rig.short import write_light_data
-from tests.diagnosis.linear_world import SHELF
+from tests.diagnosis.linear_world import CATALOGUE
 
 
 def test_expected_effects_are_chosen_from_among_themselves() -> None:
@@ -28,12 +28,12 @@ def test_expected_effects_are_chosen_from_among_themselves() -> None:
 
 
 def test_a_family_or_an_effect_is_meant_by_its_name() -> None:
-    leaks = {e.name for e in SHELF if e.family == "leak"}
-    assert effects_named(SHELF, "leak") == leaks
-    assert effects_named(SHELF, "ThermocoupleLag") == {"ThermocoupleLag"}
-    assert effects_named(SHELF, "wrong_parameter") == frozenset()
+    leaks = {e.name for e in CATALOGUE if e.family == "leak"}
+    assert effects_named(CATALOGUE, "leak") == leaks
+    assert effects_named(CATALOGUE, "ThermocoupleLag") == {"ThermocoupleLag"}
+    assert effects_named(CATALOGUE, "wrong_parameter") == frozenset()
     with pytest.raises(ValueError, match=r"no effect 'leek'; did you mean 'leak'"):
-        effects_named(SHELF, "leek")
+        effects_named(CATALOGUE, "leek")
 
 
 @pytest.mark.parametrize(
