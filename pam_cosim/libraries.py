@@ -28,5 +28,5 @@ def library(name: str, file: Path | None = None) -> Any:
         return import_module(name)
     except ImportError as problem:
         install = f"pip install 'pam-cosim[{_EXTRA_BY_LIBRARY[name]}]'"
-        message = f"{problem.name or name} is needed and is not installed: {install}"
-        raise InputError(message, file) from None
+        missing = (problem.name or name).partition(".")[0]
+        raise InputError(f"{missing} is needed and is not installed: {install}", file) from None

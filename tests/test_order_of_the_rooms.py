@@ -15,7 +15,7 @@ PACKAGE = Path(__file__).parents[1] / "pam_cosim"
 FLOORS = (
     {"arrays": 20, "criteria": 850, "lazy_names": 250, "resources": 120, "wording": 790},
     {"errors": 190},
-    {"libraries": 150},
+    {"libraries": 160},
     {"files": 2300, "counts": 280, "processes": 4150, "toml_text": 800},
     {"cache": 720, "store": 1200},
     {"units": 3500},
@@ -35,7 +35,7 @@ FLOORS = (
     {"workbench": 29400},
     {"cli": 16000},
 )
-TESTS = 354200  # budget of tests/ as a whole
+TESTS = 346500  # budget of tests/ as a whole
 FLOORS_OF_THE_DIAGNOSIS = ("judgement", "search", "description", "diagnose", "planning")
 FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 BUDGET = {room: budget for rooms in FLOORS for room, budget in rooms.items()}

@@ -29,7 +29,7 @@ DATA = make_data()
 PRODUCTS = {
     "comparison": make_comparison(DATA, 2.0),
     "fit": make_fit(DATA, 2.0),
-    "fit with leeway": replace(
+    "fit with holdout uncertainty": replace(
         make_fit(DATA, 2.0),
         holdout_uncertainty=HoldoutUncertainty({("run", "x"): np.array([0.1, 0.0])}, 0.3),
     ),

@@ -1,12 +1,11 @@
 """Right after one more run: designed against drawn at random.
 
-    python -m benchmarks.deciding_run --set muscle --cases 200          # goes on where it was stopped
-    python -m benchmarks.deciding_run --set muscle --table FILE.md
+    python -m benchmarks.deciding_run --cases 200          # goes on where it was stopped
+    python -m benchmarks.deciding_run --table FILE.md
 
-"muscle": one muscle, every effect that the simulator knows by name, three seconds recorded with 50 samples. "tuning":
-cases of the tuning set of many benches with one effect that shows, of which two fifths of one run were recorded with 30
-samples. Where the verdict leaves rivals, a run of the same length and as many samples is designed within the limits of
-the rig, played on the simulator with the hidden effect and the noise, and added; and so is one that is drawn at random.
+One muscle, every effect that the simulator knows by name, three seconds recorded with 50 samples. Where the verdict
+leaves rivals, a run of the same length and as many samples is designed within the limits of the rig, played on the
+simulator with the hidden effect and the noise, and added; and so is one that is drawn at random.
 """
 
 from __future__ import annotations
@@ -17,7 +16,8 @@ import traceback
 from collections.abc import Sequence
 from pathlib import Path
 
-from benchmarks.deciding_run.one import SETS, solve
+from benchmarks.deciding_run import muscle
+from benchmarks.deciding_run.one import solve
 from benchmarks.deciding_run.table import RUNS, table
 from benchmarks.results import append_result, read_results
 
@@ -29,22 +29,21 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("--set", dest="which", choices=SETS, default="muscle")
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument(
         "--cases", type=int, default=0, help="numbers of cases that are looked at, from --first on"
     )
-    parser.add_argument("--results", type=Path, help="default: a file of the set in build/")
+    parser.add_argument("--results", type=Path, help="default: a file in build/")
     parser.add_argument("--table", type=Path, help="write what came out as Markdown")
     options = parser.parse_args(arguments)
-    file = options.results or FOLDER / f"deciding-run-{options.which}.jsonl"
+    file = options.results or FOLDER / "deciding-run-muscle.jsonl"
     file.parent.mkdir(parents=True, exist_ok=True)
     done = read_results(file)
     for number in range(options.first, options.first + options.cases):
-        if number in done or not SETS[options.which].is_asked(number):
+        if number in done or not muscle.is_asked(number):
             continue
         try:
-            result = solve(options.which, number)
+            result = solve(number)
         except Exception:
             result = {"number": number, "error": traceback.format_exc()}
         append_result(file, result)

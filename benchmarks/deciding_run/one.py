@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.deciding_run import muscle, tuning
+from benchmarks.deciding_run import muscle
 from benchmarks.deciding_run.scene import Scene
 from benchmarks.hidden_effects.outcome import judged
 from pam_cosim import study
@@ -21,17 +21,16 @@ from pam_cosim.diagnosis.planning.moves import Moves
 from pam_cosim.diagnosis.planning.rivals import Rivals
 from pam_cosim.measurement import DataSet, Run, further_run
 
-SETS = {"muscle": muscle, "tuning": tuning}
 TIME_LIMIT = 60.0  # s, of a diagnosis
 RANDOM = 78  # stream of random numbers
 DRAWS = 20  # until the rig can play one
 
 
-def solve(which: str, number: int) -> dict[str, Any]:
+def solve(number: int) -> dict[str, Any]:
     """What came of a case; ``further`` where the first verdict left rivals."""
     start = time.perf_counter()
-    scene = SETS[which].scene(number)
-    result: dict[str, Any] = {"set": which, "number": number, "case": scene.description}
+    scene = muscle.scene(number)
+    result: dict[str, Any] = {"number": number, "case": scene.description}
     first = _diagnosis(scene.data)
     result["first"] = _summary(scene, first)
     if len(first.rival_models) > 1:

@@ -17,7 +17,7 @@ from pathlib import Path
 from resource import RUSAGE_CHILDREN, getrusage
 from typing import Any
 
-from blind_cases import many
+from blind_cases import cases
 from rig.named import effect_of
 from rig.short import write_light_data
 
@@ -37,9 +37,9 @@ def write_data(bench: str, folder: Path) -> None:
     if bench == "short":
         write_light_data(folder, [effect_of("leak:orifice")], seed=1)
         return
-    cases = (many.case_of("tuning2", n) for n in range(400))
-    many.write(
-        many.make(next(c for c in cases if c.design.bench == bench and c.group == "catalogue")),
+    cases = (cases.case_of("tuning2", n) for n in range(400))
+    cases.write(
+        cases.make(next(c for c in cases if c.design.bench == bench and c.group == "catalogue")),
         folder,
     )
 

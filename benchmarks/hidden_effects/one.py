@@ -1,6 +1,6 @@
 """One case: generate it, or take it as prepared; diagnose it; print what came out as a line of JSON, for `score`.
 
-python -m benchmarks.hidden_effects.one --set tuning --number 7 [--keep FOLDER] [--workers 2]
+python -m benchmarks.hidden_effects.one --set tuning3 --number 7 [--keep FOLDER] [--workers 2]
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
+from blind_cases.cases import SEEDS, case_of, outline
 from blind_cases.prepared import made_case
-from blind_cases.sets import SETS, case_of, outline
 
 _RANKS = 5
 
@@ -122,7 +122,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("--set", dest="which", choices=SETS, required=True)
+    parser.add_argument("--set", dest="which", choices=SEEDS, required=True)
     parser.add_argument("--number", type=int, required=True)
     parser.add_argument("--workers", type=int, default=0)
     parser.add_argument("--keep", type=Path, help="folder in which the data set stays")

@@ -1,6 +1,6 @@
 """The blind score: generates and diagnoses the first cases of a set, one line of JSON for each.
 
-    python -m benchmarks.hidden_effects.score --set score --cases 300 --jobs 2
+    python -m benchmarks.hidden_effects.score --set score2 --cases 300 --jobs 2
 
 Results are added to OUT (default build/hidden-effects-SET.jsonl) as they come; a second call goes on where the first
 was stopped. A case that crashes or takes longer than --time-limit has that as its result; --again tries those anew.
@@ -23,8 +23,7 @@ from pathlib import Path
 
 from benchmarks.hidden_effects.outcome import judged
 from benchmarks.results import Result, append_result, read_results
-from blind_cases.many import APART
-from blind_cases.sets import SETS, case_of, outline
+from blind_cases.cases import APART, SEEDS, case_of, outline
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -91,7 +90,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("--set", dest="which", choices=SETS, default="score")
+    parser.add_argument("--set", dest="which", choices=SEEDS, default="score2")
     parser.add_argument("--cases", type=int, default=300, help="how many, from --first on")
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=2)

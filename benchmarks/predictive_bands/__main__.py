@@ -28,7 +28,7 @@ import numpy as np
 
 from benchmarks.predictive_bands.half_widths import with_discrepancy
 from benchmarks.results import append_result, read_results
-from blind_cases import many
+from blind_cases import cases
 from pam_cosim import study
 from pam_cosim.arrays import Array
 from pam_cosim.fitting import Band
@@ -41,10 +41,10 @@ MOST_RUNS = 2  # held out, of a case
 
 def solve(number: int) -> dict[str, Any]:
     """Share of readings and of noise-free values within their bands, by run and signal."""
-    made = many.make(many.case_of(SET, number))
+    made = cases.make(cases.case_of(SET, number))
     clean = made.setup.simulate()
     with tempfile.TemporaryDirectory() as folder:
-        many.write(made, Path(folder))
+        cases.write(made, Path(folder))
         data = study.read(folder)
     start = time.perf_counter()
     fitted = study.fit(data)
@@ -151,7 +151,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     file.parent.mkdir(parents=True, exist_ok=True)
     done = read_results(file)
     for number in range(options.first, options.first + options.cases):
-        case = many.case_of(SET, number)
+        case = cases.case_of(SET, number)
         wanted = ("catalogue", "new_form") if options.hidden else ("null",)
         if number in done or case.group not in wanted or case.design.runs < 2:
             continue

@@ -20,20 +20,20 @@ model HoseRig "A valve fills and vents a hose, and what is at its closed end"
   input Real u_out(start=0, unit="1") "Command to vent: 0 or 1";
   input PneumaticMuscle.Types.GaugePressure p_supply(start=500e3) "Gauge pressure of the supply";
   output PneumaticMuscle.Types.GaugePressure p "Gauge pressure at the closed end";
-  replaceable model Manometer = PneumaticMuscle.Sensors.GaugePressure
+  replaceable model Manometer = PneumaticMuscle.Instruments.Sensors.GaugePressure
     constrainedby PneumaticMuscle.Interfaces.Manometer "Pressure transducer";
   replaceable model Line = PneumaticMuscle.Laws.Lines.DirectLine
     constrainedby PneumaticMuscle.Interfaces.Line "What is between the valve and the volume";
-  replaceable model PressureChannel = PneumaticMuscle.Sensors.DirectPressure
+  replaceable model PressureChannel = PneumaticMuscle.Instruments.Sensors.DirectPressure
     constrainedby PneumaticMuscle.Interfaces.PressureChannel "Measuring channel of the pressure";
-  replaceable model Recorder = PneumaticMuscle.Sensors.SharedClock
+  replaceable model Recorder = PneumaticMuscle.Instruments.Sensors.SharedClock
     constrainedby PneumaticMuscle.Interfaces.Recorder "Recorder of the readings";
-  inner PneumaticMuscle.Components.Ambient ambient "Surroundings";
-  PneumaticMuscle.Components.Supply supply(p_gauge=p_supply) "Supply";
-  PneumaticMuscle.Components.Atmosphere atmosphere "Outlet";
-  PneumaticMuscle.Components.ValvePair valve(u_in=u_open*u_in, u_out=u_open*u_out, C_A=0.7) "Valve";
+  inner PneumaticMuscle.Ambient ambient "Surroundings";
+  PneumaticMuscle.Pneumatics.Components.Supply supply(p_gauge=p_supply) "Supply";
+  PneumaticMuscle.Pneumatics.Components.Atmosphere atmosphere "Outlet";
+  PneumaticMuscle.Pneumatics.Components.ValvePair valve(u_in=u_open*u_in, u_out=u_open*u_out, C_A=0.7) "Valve";
   Line line "What is between the valve and the volume";
-  PneumaticMuscle.Components.Tank vessel(V=50e-6, startIsReference=true) "Volume that is filled";
+  PneumaticMuscle.Pneumatics.Components.Tank vessel(V=50e-6, startIsReference=true) "Volume that is filled";
   Manometer manometer "Pressure transducer";
   PressureChannel channel_p(u=manometer.p) "Measuring channel of the pressure";
   Recorder recorder "Recorder of the readings";

@@ -16,7 +16,9 @@ from rig.effect import Effect
 from rig.muscle import MuscleParameters
 
 SETS = ("tuning", "score")
-Make = Callable[[np.random.Generator, MuscleParameters], Callable[[float], Effect]]
+Random = np.random.Generator
+At = Callable[[float], Effect]
+Make = Callable[[Random, MuscleParameters], At]
 
 
 @dataclass(frozen=True)
@@ -36,7 +38,7 @@ class Form:
     signed: bool = False
 
 
-def spread(rng: np.random.Generator, low: float, high: float) -> float:
+def spread(rng: Random, low: float, high: float) -> float:
     """Between low and high, evenly by order of magnitude."""
     return float(np.exp(rng.uniform(np.log(low), np.log(high))))
 
@@ -46,7 +48,7 @@ def plain(
 ) -> Make:
     """`parameter` = unit times strength; further parameters are drawn between bounds."""
 
-    def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    def make(rng: Random, muscle: MuscleParameters) -> At:
         drawn = {name: spread(rng, *bounds) for name, bounds in shapes.items()}
         return lambda s: kind(**{parameter: unit * s}, **drawn)
 
@@ -63,7 +65,7 @@ def braided(
 ) -> Make:
     """As `plain`, with the muscle's geometry."""
 
-    def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    def make(rng: Random, muscle: MuscleParameters) -> At:
         drawn = {name: spread(rng, *bounds) for name, bounds in shapes.items()}
         braid = {"length": muscle.length, "fibre_squared": muscle.fibre_squared}
         if turns:
@@ -88,7 +90,7 @@ def tube(
 ) -> Make:
     """A resistance that grows with strength; a volume that counts shrinks with a weak line, so that the line goes."""
 
-    def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    def make(rng: Random, muscle: MuscleParameters) -> At:
         drawn = 3e-7 if volume is None else spread(rng, *volume)
         further = {name: spread(rng, *bounds) for name, bounds in shapes.items()}
 
@@ -104,7 +106,7 @@ def tube(
 def fraction(kind: type[Effect], unit: float, /, **shapes: tuple[float, float]) -> Make:
     """A heat capacity that falls with strength, and the conductance to ambient that falls with it."""
 
-    def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    def make(rng: Random, muscle: MuscleParameters) -> At:
         drawn = {name: spread(rng, *bounds) for name, bounds in shapes.items()}
         return lambda s: kind(capacity=unit / s, **drawn)
 
@@ -114,7 +116,7 @@ def fraction(kind: type[Effect], unit: float, /, **shapes: tuple[float, float]) 
 def gas(kind: type[Effect], /, **shapes: tuple[float, float]) -> Make:
     """Without a strength: what remains is how loud the noise is."""
 
-    def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    def make(rng: Random, muscle: MuscleParameters) -> At:
         drawn = {name: spread(rng, *bounds) for name, bounds in shapes.items()}
         if kind is not catalogue.gas_energy.GasEnergy:  # whose h is that of films and wall together
             drawn["wall"] = muscle.t_wall / muscle.k_wall
@@ -138,7 +140,7 @@ def gas_form(
 def swing(kind: type[Effect], parameter: str, unit: float, frequency: tuple[float, float]) -> Make:
     """`parameter` = unit times strength; frequency and phase are drawn."""
 
-    def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    def make(rng: Random, muscle: MuscleParameters) -> At:
         shape = {"frequency": spread(rng, *frequency), "phase": rng.uniform(0.0, 6.28)}
         return lambda s: kind(**{parameter: unit * s}, **shape)
 

@@ -5,17 +5,22 @@ The forms are in `rig.seen`. They stay in the set `score`, so that the cases of 
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
-import numpy as np
-
-from blind_cases.form import Form, Make, braided, fraction, gas_form, plain, spread, tube
+from blind_cases.form import (
+    At,
+    Form,
+    Make,
+    Random,
+    braided,
+    fraction,
+    gas_form,
+    plain,
+    spread,
+    tube,
+)
 from rig import seen
 from rig.effect import Effect
 from rig.muscle import MuscleParameters
 
-At = Callable[[float], Effect]
-Random = np.random.Generator
 S = ("score",)
 
 

@@ -23,7 +23,7 @@ from pathlib import Path
 from typing import Any
 
 from blind_cases.apart import ARCHIVE
-from blind_cases.sets import SETS, case_of, make, write
+from blind_cases.cases import SEEDS, case_of, make, write
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "build" / "hidden-effects-cases"
@@ -85,7 +85,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("--set", dest="which", choices=SETS, required=True)
+    parser.add_argument("--set", dest="which", choices=SEEDS, required=True)
     parser.add_argument("--cases", type=int, default=80, help="how many, from --first on")
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=2)

@@ -3,19 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
 
-from blind_cases.noise import SIGNALS
-from blind_cases.plans import TestRun
-from rig.effect import Effect
-from rig.muscle import MuscleParameters, simulate_muscle
-
 Array = np.ndarray
 Signals = dict[str, Array]
-_RTOL = 1e-6  # leaves an error below 1 Pa and 0.1 um
 _UNSEEN = 0.05  # standard deviations: a four-hundredth of the noise's variance
 _STEP = 0.02  # of the range of a parameter
 _REFITS, _GAIN = 15, 0.7  # steps, and the share of the squares that each may leave
@@ -39,46 +33,13 @@ class FreeParameter:
     nominal: float | None = None
 
 
-@dataclass(frozen=True)
-class Bench:
-    """The true rig of one case: a muscle, a plan and what is free."""
-
-    muscle: MuscleParameters
-    plan: tuple[TestRun, ...]
-    free: tuple[FreeParameter, ...]
-    signals: tuple[str, ...] = SIGNALS
-
-    def simulate(
-        self, effects: Sequence[Effect] = (), changed: Mapping[str, float] | None = None
-    ) -> list[Signals]:
-        """Noise-free signals of every run, with simulator's fields `changed`.
-
-        Raises RuntimeError when a run cannot be simulated.
-        """
-        recorded = []
-        for run in self.plan:
-            muscle = replace(self.muscle, **{"load": run.load, **(changed or {})})
-            t = simulate_muscle(
-                muscle, run.p_supply, run.schedule, run.times, effects, _RTOL, "LSODA"
-            )
-            signals = {"p": t.p, "x": t.x, "T": t.temperature}
-            if not all(np.isfinite(y).all() for y in signals.values()):
-                raise RuntimeError("the simulation left the numbers")
-            recorded.append(signals)
-        return recorded
-
-    def roles(self) -> Array:
-        """For every sample of every run in order: whether it is of role fit; shape (samples,)."""
-        return np.concatenate([np.full(run.samples, run.role == "fit") for run in self.plan])
-
-
 def joined(signals: Sequence[Signals], name: str) -> Array:
     """One signal over all runs, shape (samples,)."""
     return np.concatenate([run[name] for run in signals])
 
 
 class Measured(Protocol):
-    """What a `Ruler` needs of a rig: `Bench`, or that of the many benches."""
+    """What a `Ruler` needs of a rig."""
 
     @property
     def free(self) -> tuple[FreeParameter, ...]:

@@ -10,15 +10,15 @@ What a line is made of stands in `form.py`. `former.py` has the lines of a score
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from blind_cases import former, table_further
 from blind_cases.form import (
     SETS,
+    At,
     Form,
     Make,
+    Random,
     excess,
     fraction,
     gas_form,
@@ -31,10 +31,10 @@ from rig import catalogue, seen
 from rig.effect import Effect
 from rig.muscle import MuscleParameters
 
-__all__ = ["FAMILIES", "FORMS", "SETS", "STRANGE", "Form", "forms", "strange_forms"]
+__all__ = ["FAMILIES", "FORMS", "SETS", "STRANGE", "Form"]
 
 
-def _mooney_rivlin(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _mooney_rivlin(rng: Random, muscle: MuscleParameters) -> At:
     ratio = spread(rng, 0.02, 0.2)
     shape = {
         "length": muscle.length, "diameter": muscle.diameter, "thickness": muscle.t_wall, "turns": muscle.turns,
@@ -43,7 +43,7 @@ def _mooney_rivlin(rng: np.random.Generator, muscle: MuscleParameters) -> Callab
     return lambda s: catalogue.elasticity.MooneyRivlin(c10=unit * s, c01=ratio * unit * s, **shape)
 
 
-def _young(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _young(rng: Random, muscle: MuscleParameters) -> At:
     unit = 6e5 * 0.254e-3 / muscle.t_wall
     return lambda s: catalogue.elasticity.YoungTube(
         unit * s, muscle.length, muscle.diameter, muscle.t_wall, muscle.turns
@@ -55,47 +55,47 @@ def _rubber_tube(muscle: MuscleParameters) -> tuple[float, float, float, float]:
     return (muscle.length, muscle.diameter, muscle.t_wall, muscle.turns)
 
 
-def _gent(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _gent(rng: Random, muscle: MuscleParameters) -> At:
     limit, unit = spread(rng, 2.5, 8.0), 2.4e5 * 0.254e-3 / muscle.t_wall
     return lambda s: seen.elasticity.GentTube(*_rubber_tube(muscle), unit * s, limit)
 
 
-def _cubic(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _cubic(rng: Random, muscle: MuscleParameters) -> At:
     k1, k3 = rng.uniform(40.0, 150.0), spread(rng, 2e4, 1e5)
     return lambda s: catalogue.elasticity.CubicSpring(k1 * s, k3 * s)
 
 
-def _exponential(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _exponential(rng: Random, muscle: MuscleParameters) -> At:
     x0 = muscle.length * rng.uniform(0.1, 0.2)
     return lambda s: seen.elasticity.ExponentialSpring(5.0 * s, x0)
 
 
-def _locking(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _locking(rng: Random, muscle: MuscleParameters) -> At:
     x_lock = muscle.length * rng.uniform(0.36, 0.46)
     return lambda s: seen.elasticity.LockingSpring(120.0 * s, x_lock)
 
 
-def _load_rate(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _load_rate(rng: Random, muscle: MuscleParameters) -> At:
     return lambda s: catalogue.rate_friction.LoadRate(
         0.5 * s, muscle.length, muscle.fibre_squared, muscle.turns
     )
 
 
-def _kerscher(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _kerscher(rng: Random, muscle: MuscleParameters) -> At:
     eps_0 = spread(rng, 0.05, 0.2)
     return lambda s: catalogue.end_shape.KerscherEnds(0.1 * s, eps_0, muscle.length)
 
 
-def _bulging(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _bulging(rng: Random, muscle: MuscleParameters) -> At:
     return lambda s: seen.end_shape.BulgingEnds(0.4 * s, muscle.length)
 
 
-def _rocker(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _rocker(rng: Random, muscle: MuscleParameters) -> At:
     radius = muscle.length * rng.uniform(0.42, 0.7)
     return lambda s: seen.moving_mass.Rocker(4.0 * s, radius)
 
 
-def _storage(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _storage(rng: Random, muscle: MuscleParameters) -> At:
     """The base wall is the one without capacity and with equal films."""
     r, half = spread(rng, 0.5, 4.0), muscle.t_wall / (2 * muscle.k_wall)
     shape = (muscle.length, muscle.fibre_squared, muscle.turns, muscle.fibre_area)
@@ -104,69 +104,65 @@ def _storage(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[fl
     )
 
 
-def _late_heat(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _late_heat(rng: Random, muscle: MuscleParameters) -> At:
     tau = spread(rng, 0.1, 0.5)
     crossing = muscle.crossing_area * muscle.mu_d * muscle.k_f
     return lambda s: seen.friction_heat.LateHeat(s, tau, crossing)
 
 
-def _curved_pressure(
-    rng: np.random.Generator, muscle: MuscleParameters
-) -> Callable[[float], Effect]:
+def _curved_pressure(rng: Random, muscle: MuscleParameters) -> At:
     c = rng.uniform(0.5, 1.5)
     return lambda s: seen.pressure_offset.CurvedPressure(3e3 * s, c)
 
 
-def _conductive(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _conductive(rng: Random, muscle: MuscleParameters) -> At:
     h, wall = spread(rng, 8.0, 60.0), muscle.t_wall / muscle.k_wall
     return lambda s: seen.gas_energy.ConductiveGas(h, wall, muscle.length, muscle.fibre_squared)
 
 
-def _stem(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _stem(rng: Random, muscle: MuscleParameters) -> At:
     """The longer the lag, the thicker the wire, and the more its stem conducts."""
     c = spread(rng, 0.03, 0.15)
     return lambda s: seen.thermocouple_lag.StemThermocouple(0.15 * s, min(c * s, 0.5))
 
 
-def _ogden(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _ogden(rng: Random, muscle: MuscleParameters) -> At:
     unit = 2.4e5 * 0.254e-3 / muscle.t_wall
     return lambda s: seen.elasticity.OgdenTube(*_rubber_tube(muscle), unit * s)
 
 
-def _slack_cord(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _slack_cord(rng: Random, muscle: MuscleParameters) -> At:
     x_0 = muscle.length * rng.uniform(0.04, 0.12)
     return lambda s: seen.elasticity.SlackCord(400.0 * s, x_0)
 
 
-def _capstan(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _capstan(rng: Random, muscle: MuscleParameters) -> At:
     width = spread(rng, 2e-4, 1e-3)
     return lambda s: seen.dry_friction.Capstan(
         0.1 * s, muscle.length, muscle.fibre_squared, muscle.turns, width
     )
 
 
-def _sheared_matrix(
-    rng: np.random.Generator, muscle: MuscleParameters
-) -> Callable[[float], Effect]:
+def _sheared_matrix(rng: Random, muscle: MuscleParameters) -> At:
     return lambda s: seen.rate_friction.ShearedMatrix(60.0 * s, muscle.length, muscle.fibre_squared)
 
 
-def _conical(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _conical(rng: Random, muscle: MuscleParameters) -> At:
     return lambda s: seen.end_shape.ConicalEnds(0.1 * s, muscle.length, muscle.fibre_squared)
 
 
-def _silencer(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _silencer(rng: Random, muscle: MuscleParameters) -> At:
     """A silencer is the smaller the stronger; the exponent keeps the strength's own scale near linear."""
     return lambda s: seen.valve_area.CloggedSilencer(5e-7 / s**0.5)
 
 
-def _pulled_crimp(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _pulled_crimp(rng: Random, muscle: MuscleParameters) -> At:
     return lambda s: seen.leak.PulledCrimp(
         2e-11 * s, muscle.length, muscle.fibre_squared, muscle.turns
     )
 
 
-def _soaked(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _soaked(rng: Random, muscle: MuscleParameters) -> At:
     tau = spread(rng, 0.1, 0.6)
     crossing = muscle.crossing_area * muscle.mu_d * muscle.k_f
     return lambda s: seen.friction_heat.SoakedHeat(
@@ -175,32 +171,30 @@ def _soaked(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[flo
 
 
 def _ripple(kind: type[Effect], unit: float) -> Make:
-    def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+    def make(rng: Random, muscle: MuscleParameters) -> At:
         pitch = rng.uniform(4e-3, 1e-2)
         return lambda s: kind(size=unit * s, pitch=pitch)
 
     return make
 
 
-def _swinging_load(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _swinging_load(rng: Random, muscle: MuscleParameters) -> At:
     shape = {"frequency": spread(rng, 1.2, 4.0), "damping": spread(rng, 0.01, 0.08)}
     return lambda s: seen.none_of_these.SpringLoad(part=0.3 * s, **shape)
 
 
-def _second_consumer(
-    rng: np.random.Generator, muscle: MuscleParameters
-) -> Callable[[float], Effect]:
+def _second_consumer(rng: Random, muscle: MuscleParameters) -> At:
     period, on = spread(rng, 1.5, 4.0), rng.uniform(0.25, 0.6)
     first = rng.uniform(0.0, 1.0)
     return lambda s: seen.none_of_these.SecondConsumer(period, on, first, 0.06 * s)
 
 
-def _second_weight(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _second_weight(rng: Random, muscle: MuscleParameters) -> At:
     x_1 = muscle.length * rng.uniform(0.1, 0.2)
     return lambda s: seen.none_of_these.SecondWeight(0.5 * s, x_1)
 
 
-def _restless(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _restless(rng: Random, muscle: MuscleParameters) -> At:
     shape = {
         "tau": spread(rng, 1.5, 5.0),
         "frequency": spread(rng, 0.8, 2.5),
@@ -209,12 +203,12 @@ def _restless(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[f
     return lambda s: seen.none_of_these.RestlessStart(size=8.0 * s, **shape)
 
 
-def _sticky(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _sticky(rng: Random, muscle: MuscleParameters) -> At:
     start = int(rng.integers(0, 1000))
     return lambda s: seen.none_of_these.StickyValves(0.15 * s, start)
 
 
-def _yeoh(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _yeoh(rng: Random, muscle: MuscleParameters) -> At:
     r2, r3, unit = (
         rng.uniform(0.03, 0.1),
         spread(rng, 0.003, 0.02),
@@ -223,9 +217,7 @@ def _yeoh(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float
     return lambda s: seen.elasticity.YeohTube(*_rubber_tube(muscle), unit * s, r2, r3)
 
 
-def _viscous_bladder(
-    rng: np.random.Generator, muscle: MuscleParameters
-) -> Callable[[float], Effect]:
+def _viscous_bladder(rng: Random, muscle: MuscleParameters) -> At:
     wall = np.pi * muscle.diameter * muscle.t_wall * muscle.length
     unit = 1e5 * 0.254e-3 / muscle.t_wall
     return lambda s: seen.rate_friction.ViscousBladder(
@@ -233,19 +225,17 @@ def _viscous_bladder(
     )
 
 
-def _rounded_tips(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _rounded_tips(rng: Random, muscle: MuscleParameters) -> At:
     return lambda s: seen.end_shape.RoundedTips(
         0.8 * s, muscle.length, muscle.fibre_squared, muscle.turns
     )
 
 
-def _cut(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _cut(rng: Random, muscle: MuscleParameters) -> At:
     return lambda s: seen.leak.CutBladder(3e-9 * s, muscle.length, muscle.fibre_squared)
 
 
-def _moving_contact(
-    rng: np.random.Generator, muscle: MuscleParameters
-) -> Callable[[float], Effect]:
+def _moving_contact(rng: Random, muscle: MuscleParameters) -> At:
     v_0 = spread(rng, 0.02, 0.2)
     crossing = muscle.crossing_area * muscle.mu_d * muscle.k_f
     return lambda s: seen.friction_heat.MovingContact(
@@ -253,13 +243,13 @@ def _moving_contact(
     )
 
 
-def _long_wire(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _long_wire(rng: Random, muscle: MuscleParameters) -> At:
     """Both the lag and the square of the decay length go with the square of the wire's thickness."""
     k = spread(rng, 0.3, 1.5)
     return lambda s: seen.thermocouple_lag.LongWire(0.15 * s, min(k * s, 6.0))
 
 
-def _heat_lamp(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _heat_lamp(rng: Random, muscle: MuscleParameters) -> At:
     period, on, first = spread(rng, 2.0, 5.0), rng.uniform(0.25, 0.6), rng.uniform(0.2, 1.5)
     return lambda s: seen.none_of_these.HeatLamp(period, on, first, 0.8 * s)
 
@@ -547,31 +537,16 @@ FAMILIES: tuple[str, ...] = tuple(dict.fromkeys(form.family for form in FORMS))
 """The sixteen, in the order of the table."""
 
 
-def _dahl(rng: np.random.Generator) -> Callable[[float], Effect]:
+def _dahl(rng: Random) -> At:
     travel = spread(rng, 1e-4, 2e-3)
     return lambda s: catalogue.dry_friction.Dahl(8.0 * s, 8.0 * s / travel)
 
 
-def _second_order(rng: np.random.Generator) -> Callable[[float], Effect]:
+def _second_order(rng: Random) -> At:
     zeta = rng.uniform(0.4, 1.2)
     return lambda s: catalogue.valve_dynamics.ValveSecondOrder(30.0 / s, zeta)
 
 
-def _offset_and_gain(rng: np.random.Generator) -> Callable[[float], Effect]:
+def _offset_and_gain(rng: Random) -> At:
     p_0 = rng.uniform(3e4, 1.2e5)
     return lambda s: seen.pressure_offset.OffsetAndGain(1 + 0.04 * s, p_0)
-
-
-def forms(which: str, catalogue: bool) -> dict[str, tuple[Form, ...]]:
-    """Forms of a set by family, those that the catalogue has or those that it lacks."""
-    return {
-        family: tuple(
-            x for x in FORMS if x.family == family and which in x.sets and x.catalogue is catalogue
-        )
-        for family in FAMILIES
-    }
-
-
-def strange_forms(which: str) -> tuple[Form, ...]:
-    """Effects in no family, of a set."""
-    return tuple(form for form in STRANGE if which in form.sets)

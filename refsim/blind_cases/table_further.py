@@ -5,17 +5,10 @@ The forms are in `rig.seen.further`. What a line is made of stands in `form.py`.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
-import numpy as np
-
-from blind_cases.form import Form, braided, fraction, gas_form, plain, spread, tube
-from rig.effect import Effect
+from blind_cases.form import At, Form, Random, braided, fraction, gas_form, plain, spread, tube
 from rig.muscle import MuscleParameters
 from rig.seen import further
 
-At = Callable[[float], Effect]
-Random = np.random.Generator
 N = ("tuning4",)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple, TypeVar, dataclass_transform
 
 from rig.schedule import Currents, Schedule
 
@@ -167,6 +167,17 @@ class Effect:
     def in_truth(self, name: str, stated: float) -> float:
         """What a bench's parameter is in truth, where the description of the experiment states this value [SI]."""
         return stated
+
+
+Kind = TypeVar("Kind", bound=type[Effect])
+
+
+@dataclass_transform(frozen_default=True)
+def law(kind: Kind) -> Kind:
+    """Makes a frozen dataclass of a class of effects; its family is its module where none is stated."""
+    if kind.family == Effect.family:
+        kind.family = kind.__module__.rpartition(".")[2]
+    return dataclass(frozen=True)(kind)  # type: ignore[return-value]
 
 
 @dataclass(frozen=True)

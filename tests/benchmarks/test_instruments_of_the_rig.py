@@ -118,14 +118,3 @@ def test_a_fault_of_one_reading_leaves_the_others(kind):
 )
 def test_faults_by_name(text: str, family: str):
     assert fault_of(text).family == family
-
-
-@pytest.mark.parametrize("text", ["drift", "offset:signal=u_in", "offset:size=3", "limits:low=few"])
-def test_what_is_no_fault_is_refused(text: str):
-    with pytest.raises(ValueError, match=r"no fault|no instrument|has no|could not convert"):
-        assert fault_of(text).family
-
-
-def test_a_fault_in_a_signal_that_is_not_there_is_refused():
-    with pytest.raises(ValueError, match="no signal 'F'"):
-        disturbed([Offset("F", 1.0)], TIME, {"x": CLEAN["x"]})

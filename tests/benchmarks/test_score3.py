@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from blind_cases import apart, many, table
+from blind_cases import apart, cases, table
 from blind_cases.beginnings import IN_THE_MIDDLE, MOVING, STARTS, begun, rates
 from blind_cases.setups import SIGNALS, Design, draw
 from rig.effect import Effect
@@ -24,7 +24,7 @@ WHICH, COUNT = "score3", 400
 LINES = apart.module("lines")
 CHECKS = apart.module("checks")
 NEW: list[table.Form] = [*LINES.FORMS, *LINES.STRANGE]
-FIRST = [many.case_of(WHICH, n) for n in range(COUNT)]
+FIRST = [cases.case_of(WHICH, n) for n in range(COUNT)]
 
 
 def _kind(form: table.Form) -> type[Effect]:
@@ -48,10 +48,10 @@ def test_the_archive_is_what_its_folder_gives(tmp_path: Path) -> None:
 
 def test_nothing_but_the_set_itself_opens_the_archive() -> None:
     code = (
-        "import sys; from blind_cases import sets; sets.case_of('tuning2', 3);"
-        "sets.case_of('score2', 3);"
+        "import sys; from blind_cases import cases; cases.case_of('tuning2', 3);"
+        "cases.case_of('score2', 3);"
         "assert not any('score3_forms' in name for name in (*sys.modules, *sys.path));"
-        "sets.case_of('score3', 3); assert 'score3_forms.lines' in sys.modules"
+        "cases.case_of('score3', 3); assert 'score3_forms.lines' in sys.modules"
     )
     path = ":".join(place for place in sys.path if place != str(apart.ARCHIVE))
     subprocess.run([sys.executable, "-c", code], check=True, env={"PYTHONPATH": path})
@@ -80,7 +80,7 @@ def test_forms_are_new_of_each_family_in_none_and_each_is_checked() -> None:
 
 
 def test_half_of_each_group_begins_in_the_middle_and_half_of_those_say_so() -> None:
-    for group in many.GROUPS:
+    for group in cases.GROUPS:
         starts = Counter(
             c.start for c in FIRST if c.group == group and c.design.bench != "VesselOrifice"
         )
@@ -88,12 +88,12 @@ def test_half_of_each_group_begins_in_the_middle_and_half_of_those_say_so() -> N
         assert abs(middle - starts["rest"]) <= 1
         assert abs(starts["stated"] - starts["unstated"]) <= 1 and set(starts) <= set(STARTS)
     assert {c.start for c in FIRST if c.design.bench == "VesselOrifice"} == {"rest"}
-    assert {many.case_of("tuning3", n).start for n in range(80)} == set(STARTS)
-    assert all(many.case_of("tuning2", n).start is None for n in range(80))
-    assert "start" not in many.outline(many.case_of("score2", 0))
+    assert {cases.case_of("tuning3", n).start for n in range(80)} == set(STARTS)
+    assert all(cases.case_of("tuning2", n).start is None for n in range(80))
+    assert "start" not in cases.outline(cases.case_of("score2", 0))
 
 
-def _small(start: str, bench: str = "TankFilling") -> many.Case:
+def _small(start: str, bench: str = "TankFilling") -> cases.Case:
     design = Design(bench, SIGNALS[bench][0][0], 50.0, 3)
     case = next(c for c in FIRST if c.group == "null")
     return replace(case, design=design, start=start)
@@ -115,8 +115,8 @@ def test_a_recording_begins_in_motion_with_what_the_whole_run_has(bench: str) ->
 @pytest.mark.parametrize("start", IN_THE_MIDDLE)
 def test_the_truth_leaves_its_noise_where_a_start_is_estimated(start: str, tmp_path: Path) -> None:
     """Not all of it: start values of each run are fitted to the noise."""
-    made = many.make(_small(start))
-    many.write(made, tmp_path)
+    made = cases.make(_small(start))
+    cases.write(made, tmp_path)
     truth = pam.compare(pam.read(tmp_path), parameters={p.name: p.true for p in made.setup.free})
     for role, noise in made.description["noise"].items():
         sigma = {n: float(truth.data.signals[n].sigma or np.nan) for n in noise}

@@ -119,7 +119,6 @@ MOMENTS = {
     "simulate": (["simulate", "Isotonic", "--stop-time", "3e4", "-o", "out"], simulating, 0.3),
     "sweep": (["sweep", "Isotonic", "--vary", "load.m=1:9:200000", "-o", "out"], kept, 0.3),
     "fit": (["fit", "data", "--method", "particle-swarm", "-o", "out"], simulating, 0.2),
-    "diagnose, while workers load": (["diagnose", "data", "--json", "out"], workers, 0.0),
     "diagnose": (["diagnose", "data", "--json", "out", "--workers", "2"], workers, 2.0),
 }
 

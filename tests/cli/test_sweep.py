@@ -42,8 +42,7 @@ def _kept(place: Path) -> int:
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGINT], ids=["killed", "interrupted"])
-@pytest.mark.parametrize("workers", ["1", "2"])
+@pytest.mark.parametrize(("number", "workers"), [(signal.SIGKILL, "1"), (signal.SIGINT, "2")])
 def test_a_sweep_that_is_stopped_goes_on(
     number: int, workers: str, place: Path, command: Callable[..., object]
 ) -> None:

@@ -158,7 +158,7 @@ def test_demo_of_an_installed_wheel(installed: Path, tmp_path: Path) -> None:
     assert "<html" in page.read_text(encoding="utf-8")[:200]
     for file in ("report.html", "report.png", "report.json", "Better.mo", "data"):
         assert (work / "shown" / file).exists() and str(Path("shown", file)) in shown.stdout
-    assert run("pam-cosim", "check", "shown/data").returncode == 0, (
+    assert run("pam-cosim", "compare", "shown/data").returncode == 0, (
         "the recordings are a data set like any other"
     )
 

@@ -21,7 +21,7 @@ from pam_cosim.fmu.generate import model_source
 from pam_cosim.fmu.odes import cached_ode, write_archives
 from tests.fmu.models import delayed_mix
 from tests.fmu.test_tape import warning_lag
-from tests.library.shelf import on_bench
+from tests.library.catalogue import on_bench
 
 GUID = "{00000000-0000-0000-0000-000000000000}"
 

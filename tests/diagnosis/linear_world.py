@@ -21,10 +21,10 @@ from pam_cosim.fitting import Estimate, Fit, Linear
 from tests.diagnosis.synthetic import WhiteFit, statistics
 
 TREE = read_library()
-SHELF = tuple(effect_classes(TREE))
+CATALOGUE = tuple(effect_classes(TREE))
 ROWS = 400
 _NEEDED = 0.2  # strength, four standard deviations
-KNOWN = {e.name: e for e in SHELF}
+KNOWN = {e.name: e for e in CATALOGUE}
 
 
 def moves(name: str, role: str) -> Array:
@@ -197,7 +197,7 @@ class LinearWorld(Search):
 
 def world(hidden: Mapping[str, float], **nature: Any) -> LinearWorld:
     """A world with these effects hidden; ``nature``: further attributes of it."""
-    return LinearWorld(TREE, "Test", SHELF, None, hidden=hidden, **nature)  # type: ignore[arg-type]
+    return LinearWorld(TREE, "Test", CATALOGUE, None, hidden=hidden, **nature)  # type: ignore[arg-type]
 
 
 def _comparison(chi2: Mapping[str, float]) -> Any:

@@ -32,23 +32,6 @@ def process_beside_another(folder: str) -> int:
     return os.getpid()
 
 
-def tell_and_sleep(file: str) -> str:
-    """Writes the process's number and works on."""
-    Path(file).write_text(str(os.getpid()))
-    time.sleep(60)
-    return file
-
-
-def sleep_on(task: tuple[str, bytes]) -> None:
-    """Leaves a folder only while it works; the bytes make the task larger than a pipe holds."""
-    file = Path(task[0], f"working-{os.getpid()}")
-    file.touch()
-    try:
-        time.sleep(60)
-    finally:
-        file.unlink()
-
-
 def simulate_so_often(task: tuple[str, int]) -> int:
     """Simulates an FMU some times."""
     path, count = task

@@ -14,11 +14,11 @@ from pam_cosim.diagnosis.search.expectation import (
 )
 from pam_cosim.fitting import Linear, bounded_step, reduction_by
 from pam_cosim.measurement import Prior
-from tests.diagnosis.linear_world import ROWS, SHELF, moves, world
+from tests.diagnosis.linear_world import CATALOGUE, ROWS, moves, world
 
 WORLD = world({"LinearBladder": 5.0, "ThermocoupleLag": 3.0})
 BASE = WORLD.fitted(())
-FAMILY = {e.name: e.family for e in SHELF}
+FAMILY = {e.name: e.family for e in CATALOGUE}
 NAMES = {"LinearBladder", "ThermocoupleLag", "OrificeLeak"}
 
 
@@ -26,7 +26,7 @@ def additions() -> Additions:
     assert BASE.linear is not None
     made = [
         addition(BASE.linear, p)
-        for p in WORLD.probe(BASE, (), [e.name for e in SHELF])
+        for p in WORLD.probe(BASE, (), [e.name for e in CATALOGUE])
         if p.effect in NAMES
     ]
     return Additions([a for a in made if a is not None], ROWS)
@@ -63,7 +63,7 @@ def test_another_form_of_an_effect_is_expected_to_do_what_the_first_one_does_and
     assert base.linear is not None and one.linear is not None
     made = [
         addition(base.linear, p)
-        for p in likely.probe(base, (), [e.name for e in SHELF])
+        for p in likely.probe(base, (), [e.name for e in CATALOGUE])
         if p.effect in {"YoungBladder", "OrificeLeak"}
     ]
     every = Additions([a for a in made if a is not None], ROWS)

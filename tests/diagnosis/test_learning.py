@@ -56,7 +56,7 @@ def hidden_force(p: np.ndarray, x: np.ndarray) -> np.ndarray:
     return np.asarray(60 * (p / 300e3) * np.exp(-(((x - 0.028) / 0.008) ** 2)))
 
 
-def write_map(folder: Path, model: str = "PneumaticMuscle.Benches.QuasiStaticIsometric") -> Path:
+def write_map(folder: Path, model: str) -> Path:
     """Points at rest of a cylinder with the hidden force, by its own formula, with noise; two pressures held out."""
     noise, b = np.random.default_rng(5), np.hypot(L0, TURNS * np.pi * D0)
     p, x = (
@@ -87,10 +87,24 @@ hold_out = {{ p = ["240 kPa", "400 kPa"] }}
     return folder
 
 
+@pytest.fixture(scope="module")
+def points(tmp_path_factory: pytest.TempPathFactory) -> tuple[DataSet, Fit, LearnedModel]:
+    """Points at rest for a model of one's own; the base model's fit; the term that they teach."""
+    folder = tmp_path_factory.mktemp("map")
+    own = "within;\nmodel Own\n  extends PneumaticMuscle.Benches.QuasiStaticIsometric;\nend Own;\n"
+    (folder / "Own.mo").write_text(own)
+    data = pam.read(write_map(folder, "Own.mo"))
+    base, found = learned(data)
+    assert found is not None
+    return data, base, found
+
+
 @pytest.mark.full
-def test_points_at_rest_teach_a_spline_that_holds_at_other_pressures(tmp_path: Path) -> None:
-    base, found = learned(pam.read(write_map(tmp_path)))
-    assert found is not None and found.term.balance == "force"
+def test_points_at_rest_teach_a_spline_that_holds_at_other_pressures(
+    points: tuple[DataSet, Fit, LearnedModel],
+) -> None:
+    _, base, found = points
+    assert found.term.balance == "force"
     before, after = (f.comparison.scores["holdout"]["F"].rmse for f in (base, found.model.fit))
     assert before > 15 * NOISE and after < 0.35 * before, (before, after, found.term.formula)
     assert "max(0, eps" in found.term.formula
@@ -106,12 +120,10 @@ def test_recordings_teach_a_term_that_holds_in_another_run(tmp_path: Path) -> No
 
 
 @pytest.mark.full
-def test_the_model_with_the_term_is_one_file_that_stands_by_itself(tmp_path: Path) -> None:
-    own = "within;\nmodel Own\n  extends PneumaticMuscle.Benches.QuasiStaticIsometric;\nend Own;\n"
-    (tmp_path / "Own.mo").write_text(own)
-    data = pam.read(write_map(tmp_path, "Own.mo"))
-    base, found = learned(data)
-    assert found is not None
+def test_the_model_with_the_term_is_one_file_that_stands_by_itself(
+    tmp_path: Path, points: tuple[DataSet, Fit, LearnedModel]
+) -> None:
+    data, _, found = points
     diagnosis = replace(make_diagnosis("unknown"), model=data.model, data=data, learned=found)
     better = tmp_path / "Better.mo"
     text = pam.add(diagnosis, output=better, learned=True)

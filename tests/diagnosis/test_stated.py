@@ -73,7 +73,7 @@ def test_what_every_run_states_and_no_fit_moves_may_be_wrong(tmp_path: Path) -> 
 
 @pytest.mark.full
 def test_a_wrong_length_is_named_and_measured(tmp_path: Path, workers: int | None) -> None:
-    diagnosis = study.diagnose(misled(tmp_path, L0=1.04), workers=workers)
+    diagnosis = study.diagnose(misled(tmp_path, L0=1.04), explain=False, workers=workers)
     assert diagnosis.verdict.families[:1] == (WRONG_PARAMETER,), diagnosis.verdict
     estimate = diagnosis.final.parameters[diagnosis.path[0].own_parameters[0]]
     assert diagnosis.path[0].effect == LENGTH, diagnosis.verdict

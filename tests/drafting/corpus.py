@@ -20,7 +20,7 @@ import scipy.io
 from tests.drafting.labs import LENGTH, Array, force, lag, lift, steps
 
 AMBIENT = 101_325.0
-PSI, INCH = 6894.757293168, 0.0254
+PSI = 6894.757293168
 
 
 @dataclass(frozen=True)
@@ -44,8 +44,6 @@ class Case:
 
 
 Signals = dict[str, Array]
-Head = tuple[str, str, Callable[[Array], Array]]
-"""A heading, the signal below it, and how its numbers follow from that."""
 
 
 def _noise(values: Array, sigma: float, seed: int) -> Array:
@@ -131,12 +129,23 @@ def _map(seed: int) -> Signals:
     return {"p": p, "s": x, "x": x, "F": _noise(np.asarray(force(p, x)), 0.5, seed)}
 
 
+def _columns(heads: str, signals: Signals) -> dict[str, Array]:
+    """Numbers by heading, of ``heading -> signal change; ...``."""
+    made = {}
+    for column in heads.split("; "):
+        heading, _, rest = column.partition(" -> ")
+        signal, _, change = rest.partition(" ")
+        made[heading] = CHANGES[change](signals[signal])
+    return made
+
+
 def _text(
-    signals: Signals, heads: Sequence[Head], separator: str = ",", decimal: str = ".",
+    signals: Signals, heads: str, separator: str = ",", decimal: str = ".",
     above: str = "", index: bool = False, encoding: str = "utf-8",
 ) -> bytes:  # fmt: skip
-    rows = np.column_stack([change(signals[name]) for _, name, change in heads])
-    lines = [separator.join(head for head, _, _ in heads)]
+    columns = _columns(heads, signals)
+    rows = np.column_stack(list(columns.values()))
+    lines = [separator.join(columns)]
     lines += [separator.join(f"{v:.6f}".replace(".", decimal) for v in row) for row in rows]
     if index:
         lines = [f"{'' if i == 0 else i - 1}{separator}{line}" for i, line in enumerate(lines)]
@@ -154,17 +163,16 @@ def times(factor: float, zero: float = 0.0) -> Callable[[Array], Array]:
     return lambda values: values / factor + zero
 
 
-def _same(values: Array) -> Array:
-    return values
-
-
-KPA, BAR, MM, MA, MS = times(1e3), times(1e5), times(1e-3), times(1e-3), times(1e-3)
-ABS_BAR = times(1e5, AMBIENT / 1e5)
-CELSIUS = times(1.0, -273.15)
-FAHRENHEIT: Callable[[Array], Array] = lambda T: (T - 273.15) * 1.8 + 32.0
-LEFT: Callable[[Array], Array] = lambda x: 1e3 * (LENGTH - x)
-WIRE: Callable[[Array], Array] = lambda x: 312.6 - 1e3 * x
-T_S: Head = ("t [s]", "t", _same)
+CHANGES: dict[str, Callable[[Array], Array]] = {
+    "": lambda values: values, "kPa": times(1e3), "bar": times(1e5), "MPa": times(1e6), "bar_abs": times(1e5, AMBIENT / 1e5),
+    "psi": times(PSI), "psia": times(PSI, AMBIENT / PSI), "mm": times(1e-3), "cm": times(1e-2),
+    "left": lambda x: 1e3 * (LENGTH - x), "wire": lambda x: 312.6 - 1e3 * x, "share": times(LENGTH / 100),
+    "counts": times(2e-5), "mA": times(1e-3), "volts": times(6e4), "ms": times(1e-3),
+    "whole_us": lambda t: np.round(1e6 * t), "early": lambda t: (t < 20).astype(float), "degC": times(1.0, -273.15),
+    "degF": lambda T: (T - 273.15) * 1.8 + 32.0, "kgf": times(9.80665), "lbf": times(4.4482216152605),
+    "negative": times(-1.0),
+}  # fmt: skip
+"""How numbers of a column follow from its signal [SI]."""
 LOAD = {"parameters": {"load.m": "2 kg"}}
 
 
@@ -172,7 +180,7 @@ def _case(
     lab: str,
     name: str,
     signals: Sequence[Signals],
-    heads: Sequence[Head],
+    heads: str,
     truth: str,
     bench: str,
     **more: Any,
@@ -194,18 +202,13 @@ def _regulators() -> Iterator[Case]:
     yield make(
         "plain",
         three,
-        [T_S, ("p_set [kPa]", "p_set", KPA), ("p [kPa]", "p", KPA), ("x [mm]", "x", MM)],
+        "t [s] -> t; p_set [kPa] -> p_set kPa; p [kPa] -> p kPa; x [mm] -> x mm",
         held=True,
     )
     yield make(
         "german",
         three,
-        [
-            ("Zeit (ms)", "t", MS),
-            ("Solldruck (bar)", "p_set", BAR),
-            ("Druck (bar)", "p", BAR),
-            ("Weg (mm)", "x", MM),
-        ],
+        "Zeit (ms) -> t ms; Solldruck (bar) -> p_set bar; Druck (bar) -> p bar; Weg (mm) -> x mm",
         separator=";",
         decimal=",",
         encoding="latin-1",
@@ -214,81 +217,31 @@ def _regulators() -> Iterator[Case]:
     yield make(
         "draw wire",
         three,
-        [
-            ("Time (ms)", "t", MS),
-            ("p_soll [bar]", "p_set", BAR),
-            ("Druck [bar]", "p", BAR),
-            ("Weg_mm", "x", WIRE),
-        ],
+        "Time (ms) -> t ms; p_soll [bar] -> p_set bar; Druck [bar] -> p bar; Weg_mm -> x wire",
         separator=";",
         decimal=",",
     )
     yield make(
         "length",
         own,
-        [T_S, ("p_ref [bar]", "p_set", BAR), ("p_bar", "p", BAR), ("L_mm", "x", LEFT)],
-    )
-    yield make(
-        "psi",
-        own,
-        [
-            ("Time (s)", "t", _same),
-            ("Pset_psi", "p_set", times(PSI)),
-            ("P_psi", "p", times(PSI)),
-            ("stroke (inch)", "x", times(INCH)),
-        ],
-    )
-    yield make(
-        "absolute",
-        own,
-        [
-            ("time_s", "t", _same),
-            ("p_set_abs [bar]", "p_set", ABS_BAR),
-            ("p_abs [bar]", "p", ABS_BAR),
-            ("x_mm", "x", MM),
-        ],
+        "t [s] -> t; p_ref [bar] -> p_set bar; p_bar -> p bar; L_mm -> x left",
     )
     yield make(
         "over",
         own,
-        [
-            ("t/s", "t", _same),
-            ("p_soll/bar", "p_set", BAR),
-            ("p/kPa(g)", "p", KPA),
-            ("x/mm", "x", MM),
-        ],
+        "t/s -> t; p_soll/bar -> p_set bar; p/kPa(g) -> p kPa; x/mm -> x mm",
         separator="\t",
     )
     yield make(
         "french",
         own,
-        [
-            ("temps (s)", "t", _same),
-            ("consigne (bar)", "p_set", BAR),
-            ("pression (bar)", "p", BAR),
-            ("déplacement (mm)", "x", MM),
-        ],
+        "temps (s) -> t; consigne (bar) -> p_set bar; pression (bar) -> p bar; déplacement (mm) -> x mm",
         separator="\t",
     )
     yield make(
         "no units",
         own,
-        [
-            ("time", "t", _same),
-            ("setpoint", "p_set", BAR),
-            ("pressure", "p", BAR),
-            ("position", "x", MM),
-        ],
-    )
-    yield make(
-        "micrometres",
-        own,
-        [
-            ("t_ms", "t", MS),
-            ("p_set_bar", "p_set", BAR),
-            ("p_bar", "p", BAR),
-            ("x [um]", "x", times(1e-6)),
-        ],
+        "time -> t; setpoint -> p_set bar; pressure -> p bar; position -> x mm",
     )
 
 
@@ -298,100 +251,26 @@ def _currents() -> Iterator[Case]:
     make = lambda name, heads, **more: _case(
         "valves", name, two, heads, truth, bench, **{"stated": LOAD, **more}
     )  # noqa: E731
-    supply = {**LOAD["parameters"], "p_supply": "5 bar"}
     yield make(
         "mA",
-        [
-            ("t,ms".replace(",", " [") + "]", "t", MS),
-            ("I_in [mA]", "u_in", MA),
-            ("I_out [mA]", "u_out", MA),
-            ("Vordruck [kPa]", "p_supply", KPA),
-            ("pm [kPa]", "p", KPA),
-            ("Kontraktion [mm]", "x", MM),
-        ],
+        "t [ms] -> t ms; I_in [mA] -> u_in mA; I_out [mA] -> u_out mA; Vordruck [kPa] -> p_supply kPa; pm [kPa] -> p kPa; Kontraktion [mm] -> x mm",
         held=True,
     )
     yield make(
-        "A",
-        [
-            T_S,
-            ("u_in [A]", "u_in", _same),
-            ("u_out [A]", "u_out", _same),
-            ("p_supply [bar]", "p_supply", BAR),
-            ("p [bar]", "p", BAR),
-            ("x [mm]", "x", MM),
-        ],
-    )
-    yield make(
         "numbered",
-        [
-            ("Time (ms)", "t", MS),
-            ("Druck [bar]", "p", BAR),
-            ("Weg_mm", "x", WIRE),
-            ("Temp", "T", CELSIUS),
-            ("I_valve1 (mA)", "u_in", MA),
-            ("I_valve2 (mA)", "u_out", MA),
-            ("Versorgung", "p_supply", BAR),
-        ],
+        "Time (ms) -> t ms; Druck [bar] -> p bar; Weg_mm -> x wire; Temp -> T degC; I_valve1 (mA) -> u_in mA; I_valve2 (mA) -> u_out mA; Versorgung -> p_supply bar",
         separator=";",
         decimal=",",
     )
     yield make(
-        "temperature",
-        [
-            T_S,
-            ("I_ein [mA]", "u_in", MA),
-            ("I_aus [mA]", "u_out", MA),
-            ("p_supply [kPa]", "p_supply", KPA),
-            ("p [kPa]", "p", KPA),
-            ("x [mm]", "x", MM),
-            ("T_gas [degC]", "T", CELSIUS),
-        ],
-    )
-    yield make(
-        "supply stated",
-        [
-            T_S,
-            ("i_inlet [A]", "u_in", _same),
-            ("i_exhaust [A]", "u_out", _same),
-            ("p [kPa]", "p", KPA),
-            ("contraction [mm]", "x", MM),
-        ],
-        stated={"parameters": supply},
-    )
-    yield make(
         "supply not stated",
-        [
-            ("time [s]", "t", _same),
-            ("i_inlet [A]", "u_in", _same),
-            ("i_exhaust [A]", "u_out", _same),
-            ("p [kPa]", "p", KPA),
-            ("contraction [mm]", "x", MM),
-        ],
+        "time [s] -> t; i_inlet [A] -> u_in; i_exhaust [A] -> u_out; p [kPa] -> p kPa; contraction [mm] -> x mm",
         answer={"parameters": {"p_supply": "5 bar"}},
     )
     yield make(
         "pandas",
-        [
-            T_S,
-            ("I_in [mA]", "u_in", MA),
-            ("I_out [mA]", "u_out", MA),
-            ("p_supply [kPa]", "p_supply", KPA),
-            ("p [kPa]", "p", KPA),
-            ("x [mm]", "x", MM),
-        ],
+        "t [s] -> t; I_in [mA] -> u_in mA; I_out [mA] -> u_out mA; p_supply [kPa] -> p_supply kPa; p [kPa] -> p kPa; x [mm] -> x mm",
         index=True,
-    )
-    yield make(
-        "absolute gauge",
-        [
-            T_S,
-            ("I_in [mA]", "u_in", MA),
-            ("I_out [mA]", "u_out", MA),
-            ("p_sup_abs [bar]", "p_supply", ABS_BAR),
-            ("p_m [bar a]", "p", ABS_BAR),
-            ("x [cm]", "x", times(1e-2)),
-        ],
     )
 
 
@@ -399,10 +278,9 @@ def _presses() -> Iterator[Case]:
     """Cottbus: a press that holds the length, in MATLAB's files and texts."""
     runs = [_isometric(k, 0.01 * k) for k in range(3)]
 
-    def mat(name: str, fields: Sequence[Head], **more: Any) -> Case:
+    def mat(name: str, fields: str, **more: Any) -> Case:
         files = {
-            f"press_{i}.mat": _mat({"log": {head: change(one[n]) for head, n, change in fields}})
-            for i, one in enumerate(runs)
+            f"press_{i}.mat": _mat({"log": _columns(fields, one)}) for i, one in enumerate(runs)
         }
         return Case(
             f"press: {name}",
@@ -414,40 +292,22 @@ def _presses() -> Iterator[Case]:
 
     yield mat(
         "no units",
-        [("t", "t", _same), ("Druck", "p", KPA), ("Laenge", "s", LEFT), ("Kraft", "F", _same)],
-    )
-    yield mat(
-        "units in names",
-        [("time_s", "t", _same), ("p_bar", "p", BAR), ("L_mm", "s", LEFT), ("F_N", "F", _same)],
+        "t -> t; Druck -> p kPa; Laenge -> s left; Kraft -> F",
     )
     yield mat(
         "kilograms",
-        [
-            ("t_ms", "t", MS),
-            ("p_kPa", "p", KPA),
-            ("L_mm", "s", LEFT),
-            ("load_kg", "F", times(9.80665)),
-        ],
+        "t_ms -> t ms; p_kPa -> p kPa; L_mm -> s left; load_kg -> F kgf",
     )
     text = lambda name, heads, **more: _case(
         "press", name, runs, heads, "p s F", "Length|Isometric", **more
     )  # noqa: E731
     yield text(
         "pull below zero",
-        [T_S, ("p [kPa]", "p", KPA), ("L [mm]", "s", LEFT), ("F [N]", "F", times(-1.0))],
-    )
-    yield text(
-        "psi and kN",
-        [
-            ("Time (s)", "t", _same),
-            ("Pressure (psi)", "p", times(PSI)),
-            ("Length (mm)", "s", LEFT),
-            ("Force (kN)", "F", times(1e3)),
-        ],
+        "t [s] -> t; p [kPa] -> p kPa; L [mm] -> s left; F [N] -> F negative",
     )
     yield text(
         "contraction",
-        [T_S, ("Druck [bar]", "p", BAR), ("s [mm]", "s", MM), ("Kraft [N]", "F", _same)],
+        "t [s] -> t; Druck [bar] -> p bar; s [mm] -> s mm; Kraft [N] -> F",
     )
 
 
@@ -460,73 +320,21 @@ def _tanks() -> Iterator[Case]:
     )  # noqa: E731
     yield make(
         "german",
-        [
-            ("Zeit [s]", "t", _same),
-            ("I_ein [mA]", "u_in", MA),
-            ("I_aus [mA]", "u_out", MA),
-            ("p_abs [bar]", "p", ABS_BAR),
-            ("T_Gas [°C]", "T", CELSIUS),
-        ],
+        "Zeit [s] -> t; I_ein [mA] -> u_in mA; I_aus [mA] -> u_out mA; p_abs [bar] -> p bar_abs; T_Gas [°C] -> T degC",
         separator=";",
         decimal=",",
         stated=supply,
         suffix="txt",
     )
     yield make(
-        "kelvin",
-        [
-            ("t [ms]", "t", MS),
-            ("u_in [A]", "u_in", _same),
-            ("u_out [A]", "u_out", _same),
-            ("p_supply [kPa]", "p_supply", KPA),
-            ("p [kPa]", "p", KPA),
-            ("T [K]", "T", _same),
-        ],
-    )
-    yield make(
         "fahrenheit",
-        [
-            ("time_s", "t", _same),
-            ("i_in_mA", "u_in", MA),
-            ("i_out_mA", "u_out", MA),
-            ("supply_psi", "p_supply", times(PSI)),
-            ("tank_p_psi", "p", times(PSI)),
-            ("T_degF", "T", FAHRENHEIT),
-        ],
+        "time_s -> t; i_in_mA -> u_in mA; i_out_mA -> u_out mA; supply_psi -> p_supply psi; tank_p_psi -> p psi; T_degF -> T degF",
         answer={"columns": {"p": "tank_p_psi", "p_supply": "supply_psi"}},
     )
     yield make(
         "supply not stated",
-        [
-            ("t (s)", "t", _same),
-            ("I_in (mA)", "u_in", MA),
-            ("I_out (mA)", "u_out", MA),
-            ("p (bar)", "p", BAR),
-            ("T (°C)", "T", CELSIUS),
-        ],
+        "t (s) -> t; I_in (mA) -> u_in mA; I_out (mA) -> u_out mA; p (bar) -> p bar; T (°C) -> T degC",
         answer=supply,
-    )
-    yield make(
-        "no units",
-        [
-            ("time", "t", _same),
-            ("I_in", "u_in", MA),
-            ("I_out", "u_out", MA),
-            ("p_supply", "p_supply", BAR),
-            ("p", "p", BAR),
-            ("Temp", "T", CELSIUS),
-        ],
-    )
-    yield make(
-        "MPa",
-        [
-            ("t_us", "t", times(1e-6)),
-            ("I_in_mA", "u_in", MA),
-            ("I_out_mA", "u_out", MA),
-            ("p_sup_MPa", "p_supply", times(1e6)),
-            ("p_MPa", "p", times(1e6)),
-            ("T_C", "T", CELSIUS),
-        ],
     )
 
 
@@ -538,40 +346,21 @@ def _vessels() -> Iterator[Case]:
     )  # noqa: E731
     yield make(
         "absolute",
-        [("time_s", "t", _same), ("pressure_bar_abs", "p", ABS_BAR), ("T_K", "T", _same)],
+        "time_s -> t; pressure_bar_abs -> p bar_abs; T_K -> T",
     )
-    yield make("gauge", [T_S, ("p [kPa]", "p", KPA), ("T [degC]", "T", CELSIUS)])
     yield make(
         "german",
-        [("Zeit (s)", "t", _same), ("Druck (bar)", "p", BAR), ("Temperatur (°C)", "T", CELSIUS)],
+        "Zeit (s) -> t; Druck (bar) -> p bar; Temperatur (°C) -> T degC",
         separator=";",
         decimal=",",
     )
     yield make(
         "switch beside",
-        [
-            T_S,
-            ("TP3 [bar]", "p", BAR),
-            ("gas temperature [degC]", "T", CELSIUS),
-            ("Pressure_switch", "t", lambda t: (t < 20).astype(float)),
-        ],
-    )
-    yield make(
-        "room beside",
-        [
-            T_S,
-            ("p [mbar]", "p", times(100.0)),
-            ("T [degC]", "T", CELSIUS),
-            ("T_room [degC]", "T", lambda T: np.full(len(T), 20.0)),
-        ],
+        "t [s] -> t; TP3 [bar] -> p bar; gas temperature [degC] -> T degC; Pressure_switch -> t early",
     )
     yield make(
         "psia",
-        [
-            ("t (ms)", "t", MS),
-            ("Tank pressure (psia)", "p", times(PSI, AMBIENT / PSI)),
-            ("Gas temperature (°C)", "T", CELSIUS),
-        ],
+        "t (ms) -> t ms; Tank pressure (psia) -> p psia; Gas temperature (°C) -> T degC",
         answer={"columns": {"p": "Tank pressure"}},
     )
 
@@ -588,52 +377,19 @@ def _switches() -> Iterator[Case]:
         "HangingLoad|SwitchedMuscle",
         **{"stated": LOAD, "held": True, **more},
     )  # noqa: E731
-    supply = ("p_supply [bar]", "p_supply", BAR)
-    yield make(
-        "numbers",
-        [
-            T_S,
-            ("valve_in", "u_in", _same),
-            ("valve_out", "u_out", _same),
-            supply,
-            ("p [bar]", "p", BAR),
-            ("x [mm]", "x", MM),
-        ],
-    )
     yield make(
         "german",
-        [
-            ("t [s]", "t", _same),
-            ("Einlassventil", "u_in", _same),
-            ("Auslassventil", "u_out", _same),
-            ("Vordruck [bar]", "p_supply", BAR),
-            ("Druck [bar]", "p", BAR),
-            ("Weg [mm]", "x", MM),
-        ],
+        "t [s] -> t; Einlassventil -> u_in; Auslassventil -> u_out; Vordruck [bar] -> p_supply bar; Druck [bar] -> p bar; Weg [mm] -> x mm",
         separator=";",
         decimal=",",
     )
     yield make(
         "duty",
-        [
-            ("time_ms", "t", MS),
-            ("duty_in [%]", "u_in", times(0.01)),
-            ("duty_out [%]", "u_out", times(0.01)),
-            ("psup_kPa", "p_supply", KPA),
-            ("p_kPa", "p", KPA),
-            ("x_mm", "x", MM),
-        ],
+        "time_ms -> t ms; duty_in [%] -> u_in cm; duty_out [%] -> u_out cm; psup_kPa -> p_supply kPa; p_kPa -> p kPa; x_mm -> x mm",
     )
     yield make(
         "fill and vent",
-        [
-            T_S,
-            ("fill valve", "u_in", _same),
-            ("vent valve", "u_out", _same),
-            ("supply pressure [psi]", "p_supply", times(PSI)),
-            ("muscle pressure [psi]", "p", times(PSI)),
-            ("displacement [mm]", "x", MM),
-        ],
+        "t [s] -> t; fill valve -> u_in; vent valve -> u_out; supply pressure [psi] -> p_supply psi; muscle pressure [psi] -> p psi; displacement [mm] -> x mm",
     )
     words: Callable[[bytes], bytes] = lambda text: b"\n".join(
         b",".join(
@@ -646,14 +402,7 @@ def _switches() -> Iterator[Case]:
     )
     plain = make(
         "words",
-        [
-            T_S,
-            ("valve in", "u_in", _same),
-            ("valve out", "u_out", _same),
-            supply,
-            ("p [bar]", "p", BAR),
-            ("x [mm]", "x", MM),
-        ],
+        "t [s] -> t; valve in -> u_in; valve out -> u_out; p_supply [bar] -> p_supply bar; p [bar] -> p bar; x [mm] -> x mm",
     )
     yield Case(
         plain.name,
@@ -663,17 +412,6 @@ def _switches() -> Iterator[Case]:
         stated=LOAD,
         held=True,
     )
-    yield make(
-        "supply stated",
-        [
-            T_S,
-            ("valve_in", "u_in", _same),
-            ("valve_out", "u_out", _same),
-            ("p [bar]", "p", BAR),
-            ("x [mm]", "x", MM),
-        ],
-        stated={"parameters": {**LOAD["parameters"], "p_supply": "5 bar"}},
-    )
 
 
 def _maps() -> Iterator[Case]:
@@ -681,53 +419,43 @@ def _maps() -> Iterator[Case]:
     make = lambda name, heads, **more: _case(
         "map", name, [_map(1)], heads, "p s F", "QuasiStaticIsometric", **more
     )  # noqa: E731
-    yield make("plain", [("p [kPa]", "p", KPA), ("x [mm]", "x", MM), ("F [N]", "F", _same)])
-    yield make("words", [("pressure", "p", KPA), ("contraction", "x", MM), ("force", "F", _same)])
+    yield make("words", "pressure -> p kPa; contraction -> x mm; force -> F")
     yield make(
         "german",
-        [("Druck [bar]", "p", BAR), ("Kontraktion [mm]", "x", MM), ("Kraft [N]", "F", _same)],
+        "Druck [bar] -> p bar; Kontraktion [mm] -> x mm; Kraft [N] -> F",
         separator=";",
         decimal=",",
     )
     yield make(
         "psi",
-        [
-            ("Pressure (psi)", "p", times(PSI)),
-            ("Contraction (mm)", "x", MM),
-            ("Force (lbf)", "F", times(4.4482216152605)),
-        ],
+        "Pressure (psi) -> p psi; Contraction (mm) -> x mm; Force (lbf) -> F lbf",
     )
     yield make(
         "ratio",
-        [("p_bar", "p", BAR), ("strain_pct", "x", times(LENGTH / 100)), ("F_N", "F", _same)],
+        "p_bar -> p bar; strain_pct -> x share; F_N -> F",
         stated={"parameters": {"muscle.L0": "240 mm"}},
     )
-    yield make("length", [("p_MPa", "p", times(1e6)), ("L_mm", "x", LEFT), ("F_N", "F", _same)])
+    yield make("length", "p_MPa -> p MPa; L_mm -> x left; F_N -> F")
 
 
 def _pairs() -> Iterator[Case]:
     """Graz: every signal with the times of its own."""
     own = _regulated(1)
     truth = {n: own[n] for n in ("p_set", "p", "x")}
-    scaled = {"p_set": BAR(own["p_set"]), "p": BAR(own["p"]), "x": MM(own["x"])}
+    scaled = _columns("p_set -> p_set bar; p -> p bar; x -> x mm", own)
     nested = {"out": {n: {"Time": own["t"], "Data": v} for n, v in scaled.items()}}
     make = lambda name, files, **more: Case(f"pairs: {name}", files, truth, "HangingLoad", **more)  # noqa: E731
     yield make("structures", {"log.mat": _mat(nested)})
     for name, time, data in (
         ("dotted", "{}.Time", "{}.Data"),
-        ("underscores", "{}_time", "{}"),
         ("t first", "t_{}", "{}"),
         ("brackets", "{}.Time [s]", "{}.Data [{}]"),
     ):
         units = {"p_set": "bar", "p": "bar", "x": "mm"}
-        heads: list[Head] = [
-            h
-            for n in scaled
-            for h in (
-                (time.format(n), "t", _same),
-                (data.format(n, units[n]), n, MM if n == "x" else BAR),
-            )
-        ]
+        heads = "; ".join(
+            f"{time.format(n)} -> t; {data.format(n, unit)} -> {n} {unit}"
+            for n, unit in units.items()
+        )
         yield make(name, {"log.csv": _text(own, heads)})
     yield make("simulink", {"scope.mat": _mat({"sim": {"time": own["t"], **scaled}})})
 
@@ -745,45 +473,22 @@ def _cells() -> Iterator[Case]:
         "HangingLoad|Isotonic",
         **{"stated": load, **more},
     )  # noqa: E731
-    valves = [
-        ("I_in [mA]", "u_in", MA),
-        ("I_out [mA]", "u_out", MA),
-        ("p_supply [kPa]", "p_supply", KPA),
-    ]
-    yield make(
-        "newton", [T_S, *valves, ("p [kPa]", "p", KPA), ("x [mm]", "x", MM), ("F [N]", "F", _same)]
-    )
-    yield make(
-        "position",
-        [
-            T_S,
-            *valves,
-            ("pressure [kPa]", "p", KPA),
-            ("position [mm]", "x", MM),
-            ("load cell [N]", "F", _same),
-        ],
-    )
+    valves = "I_in [mA] -> u_in mA; I_out [mA] -> u_out mA; p_supply [kPa] -> p_supply kPa"
     yield make(
         "german",
-        [
-            ("Zeit [s]", "t", _same),
-            *valves,
-            ("Druck [kPa]", "p", KPA),
-            ("Weg [mm]", "x", MM),
-            ("Kraft [N]", "F", _same),
-        ],
+        f"Zeit [s] -> t; {valves}; Druck [kPa] -> p kPa; Weg [mm] -> x mm; Kraft [N] -> F",
         separator=";",
         decimal=",",
     )
     yield make(
         "commented",
-        [T_S, *valves, ("p [kPa]", "p", KPA), ("x [mm]", "x", MM), ("F [N]", "F", _same)],
+        f"t [s] -> t; {valves}; p [kPa] -> p kPa; x [mm] -> x mm; F [N] -> F",
         above="# operator: A\n# load mass: 3 kg\n",
         stated={},
     )
     yield make(
         "wire",
-        [T_S, *valves, ("p [kPa]", "p", KPA), ("wire [mm]", "x", WIRE), ("F [N]", "F", _same)],
+        f"t [s] -> t; {valves}; p [kPa] -> p kPa; wire [mm] -> x wire; F [N] -> F",
         answer={"columns": {"x": "wire"}},
     )
 
@@ -794,34 +499,29 @@ def _imposed() -> Iterator[Case]:
     make = lambda name, heads, **more: _case(
         "imposed", name, two, heads, "p x", "VerticalLoad|HangingLoad", **{"stem": "w2kg_", **more}
     )  # noqa: E731
-    yield make("plain", [T_S, ("p [kPa]", "p", KPA), ("x [mm]", "x", MM)])
     yield make(
         "french",
-        [("temps (s)", "t", _same), ("pression (bar)", "p", BAR), ("déplacement (mm)", "x", MM)],
+        "temps (s) -> t; pression (bar) -> p bar; déplacement (mm) -> x mm",
         separator="\t",
         suffix="txt",
     )
     yield make(
         "labview",
-        [("X_Value", "t", _same), ("p (psi)", "p", times(PSI)), ("Length (mm)", "x", LEFT)],
+        "X_Value -> t; p (psi) -> p psi; Length (mm) -> x left",
         separator="\t",
         suffix="lvm",
     )
     yield make(
         "counter",
-        [("micros", "t", lambda t: np.round(1e6 * t)), ("p_kPa", "p", KPA), ("x_mm", "x", MM)],
+        "micros -> t whole_us; p_kPa -> p kPa; x_mm -> x mm",
     )
-    yield make(
-        "absolute",
-        [("t_s", "t", _same), ("p_psia", "p", times(PSI, AMBIENT / PSI)), ("x_mm", "x", MM)],
-    )
-    yield make("no units", [("time", "t", _same), ("Druck", "p", BAR), ("Weg", "x", MM)])
+    yield make("no units", "time -> t; Druck -> p bar; Weg -> x mm")
     yield make(
         "counts",
-        [T_S, ("p [kPa]", "p", KPA), ("x [counts]", "x", times(2e-5))],
+        "t [s] -> t; p [kPa] -> p kPa; x [counts] -> x counts",
         answer={"columns": {"x": 'x * "0.02 mm"'}},
     )
-    volts = [T_S, ("U_valve [V]", "p_set", times(6e4)), ("p [kPa]", "p", KPA), ("x [mm]", "x", MM)]
+    volts = "t [s] -> t; U_valve [V] -> p_set volts; p [kPa] -> p kPa; x [mm] -> x mm"
     yield _case(
         "imposed",
         "volts",
@@ -843,7 +543,7 @@ def _abroad() -> Iterator[Case]:
         "paths": ("time [s]", "Ctrl/p_soll [bar]", "Model Root/ADC/p [bar]", "Plant.muscle.x [mm]"),
     }  # fmt: skip
     for name, (time, wanted, read, moved) in words.items():
-        heads: list[Head] = [(time, "t", _same), (read, "p", BAR), (wanted, "p_set", BAR), (moved, "x", MM)]  # fmt: skip
+        heads = f"{time} -> t; {read} -> p bar; {wanted} -> p_set bar; {moved} -> x mm"
         yield _case(
             "abroad", name, [_regulated(2)], heads, "p_set p x", "HangingLoad", separator=";"
         )

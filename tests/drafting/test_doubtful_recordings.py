@@ -169,12 +169,23 @@ def test_a_current_of_a_transmitter_is_no_valve_s_and_wants_a_scale(tmp_path: Pa
 
 
 @pytest.mark.parametrize(
-    "heading", ["Compression [mm]", "Drucksensor [V]", "Kraft [kg]", "Druckventil [mA]"]
+    ("heading", "taken"),
+    [
+        ("Compression [mm]", "not read"),
+        ("Drucksensor [V]", "not read"),
+        ("Kraft [kg]", "F [kg] (measured)"),
+        ("Druckventil [mA]", "not read"),
+    ],
 )
-def test_names_that_leave_a_doubt_go_by_their_unit(tmp_path: Path, heading: str) -> None:
+def test_names_that_leave_a_doubt_go_by_their_unit(
+    tmp_path: Path, heading: str, taken: str
+) -> None:
     rows: list[list[object]] = [[0.01 * k, *row, row[2]] for k, row in enumerate(steps())]
     heads = ",".join(["t [s]", "p_set [bar]", "p [bar]", "x [mm]", heading])
-    pam.new(tmp_path / "rig", [write(tmp_path / "a.csv", heads, rows)])
+    made = pam.new(tmp_path / "rig", [write(tmp_path / "a.csv", heads, rows)])
+    by_name = {one.what: one.taken_as for one in made.guesses}
+    assert by_name[heading.split(" ")[0]] == taken
+    assert set(made.data.runs[0].measurements) >= {"p", "x"}
 
 
 @pytest.mark.parametrize("name", ["Pset_psi", "pSet_psi", "Psoll [psi]", "Pref (psi)"])

@@ -23,7 +23,6 @@ _C_TYPES = {
         **{f"{u}Int{n}": f"{u.lower()}int{n}_t" for u in ("", "U") for n in (8, 16, 32, 64)},
     },
 }
-_FUNCTION_TYPES = {2: {"Enumeration": "Integer"}, 3: {"Enumeration": "Int64"}}
 
 
 @dataclass(frozen=True)

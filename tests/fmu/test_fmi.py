@@ -190,17 +190,6 @@ def test_model_exchange_functions() -> None:
         assert list(fmu.completedIntegratorStep()) == [0, 0]
 
 
-@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
-@pytest.mark.parametrize(
-    "make", [models.van_der_pol, models.oscillator, models.algebraic], ids=lambda m: m.__name__
-)
-def test_fmpy_simulates_with_defaults(make: Callable[[], Ode], kind: str) -> None:
-    result = fmpy.simulate_fmu(str(models.fmu(make)), fmi_type=kind)
-    outputs = list(make().interface.outputs)
-    assert result["time"][-1] == pytest.approx(make().interface.stop_time)
-    assert all(np.isfinite(result[name]).all() for name in outputs)
-
-
 def test_master_that_sets_values_and_slopes_at_every_step() -> None:
     """What agrees with the slope given before is no news to the solver; the ramp is followed exactly."""
     with instance(models.lag) as (fmu, vr):

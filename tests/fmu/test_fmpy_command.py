@@ -1,4 +1,4 @@
-"""The command ``fmpy`` on every bench: info, validate, simulate, both kinds and versions; and its plot in a browser.
+"""The command ``fmpy`` on every bench: info, validate, simulate, of both kinds; and its plot in a browser.
 
 On every bench its entry point is called in this process, which is ten times cheaper; processes of their own run the
 README's lines.
@@ -26,10 +26,10 @@ from lxml import etree
 import pam_cosim as pam
 from pam_cosim.study import benches
 from tests.fmu.test_conformance import _read, _schema
-from tests.tiers import quick
 
 VERSIONS = ["2.0", pytest.param("3.0", marks=pytest.mark.full)]
 ROOT = Path(__file__).parents[2]
+QUICK = ("Isotonic", "TankFilling", "VesselOrifice")
 
 # FMPy drives our own solver (co-simulation) over the same communication points: only the times differ, by rounding.
 SAME_SOLVER = 1e-12  # of the greatest value
@@ -75,8 +75,15 @@ def largest_difference(result: np.ndarray, bench: str) -> dict[str, tuple[float,
     return differences
 
 
-@pytest.mark.parametrize("fmi", VERSIONS)
-@pytest.mark.parametrize("bench", quick(benches(), "Isotonic", "TankFilling", "VesselOrifice"))
+@pytest.mark.parametrize(
+    ("bench", "fmi"),
+    [
+        pytest.param(bench, fmi, marks=[pytest.mark.full] * (bench not in QUICK or fmi == "3.0"))
+        for bench in benches()
+        for fmi in ("2.0", "3.0")
+        if fmi == "2.0" or bench in QUICK
+    ],
+)
 def test_every_bench(run: Callable[..., str], bench: str, fmi: str, tmp_path: Path) -> None:
     path, result = pam.build(bench, fmi=fmi), tmp_path / "result.csv"
     said, face = run("info", path), pam.describe(bench)

@@ -19,7 +19,7 @@ from pam_cosim.fmu.build import cached_lean_model, cached_taped_model
 from pam_cosim.fmu.read import TABLES
 from pam_cosim.simulation import Inputs, Simulator
 from tests.fmu import models
-from tests.library.shelf import on_bench
+from tests.library.catalogue import on_bench
 
 TIMES = np.linspace(0.0, 2.0, 81)
 

@@ -150,7 +150,7 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     whole.cache_clear()
 
 
-@pytest.mark.parametrize("times", [6, pytest.param(100, marks=pytest.mark.full)])
+@pytest.mark.parametrize("times", [6, pytest.param(30, marks=pytest.mark.full)])
 @pytest.mark.parametrize("study", [swept, fitted])
 def test_damaged_and_stopped_it_ends_equal_or_in_a_sentence(
     study: Study, times: int, place: Path, tmp_path: Path

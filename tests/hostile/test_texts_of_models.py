@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import re
 import zipfile
+from collections.abc import Iterable
 from pathlib import Path
 
 import fmpy
@@ -72,10 +73,15 @@ end {model};
 """
 
 
-def _write(folder: Path, name: str, text: str = "") -> Path:
+def _write(folder: Path, name: str, text: str = "", others: Iterable[str] = ()) -> Path:
+    """A model of which everything has this name; its further variables have others."""
     names = {key: f"'{key} {name}'" for key in ("model", "p", "u", "x", "y", "z")}
+    head, end = MODEL.format(text=text, **names).split("equation\n")
+    for other in others:
+        head += f"  parameter Real 'q {other}' = 3;\n  Real 'w {other}'(start='q {other}', fixed=true);\n"
+        end = f"  der('w {other}') = -'w {other}';\n{end}"
     file = folder / "Hostile.mo"
-    file.write_text(MODEL.format(text=text, **names), encoding="utf-8")
+    file.write_text(f"{head}equation\n{end}", encoding="utf-8")
     return file
 
 
@@ -89,16 +95,17 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.mark.parametrize(
-    "name",
+    ("key", "fmi"),
     [
-        pytest.param(name, id=key, marks=[pytest.mark.full] * (key == "long"))
-        for key, name in NAMES.items()
+        *[(key, "2.0") for key in ("trigraph", "path", "markup", "template")],
+        pytest.param("long", "2.0", marks=pytest.mark.full),
+        pytest.param("trigraph", "3.0", marks=pytest.mark.full),
     ],
 )
-@pytest.mark.parametrize("fmi", ["2.0", pytest.param("3.0", marks=pytest.mark.full)])
-def test_names_come_back_as_they_are(name: str, fmi: str, place: Path) -> None:
+def test_names_come_back_as_they_are(key: str, fmi: str, place: Path) -> None:
     """Through compiler, C, model description and archive; nothing but the answer comes of them."""
-    file = _write(place, name)
+    name, others = NAMES[key], [other for other in NAMES.values() if other != NAMES[key]]
+    file = _write(place, name, others=others)
     path = study.build(str(file), place / "made.fmu", fmi=fmi)
     with zipfile.ZipFile(path) as archive:
         etree.fromstring(archive.read("modelDescription.xml"))
@@ -110,11 +117,18 @@ def test_names_come_back_as_they_are(name: str, fmi: str, place: Path) -> None:
     assert description.modelName == f"'model {name}'"
     known = {v.name for v in description.modelVariables}
     assert {f"'{key} {name}'" for key in "puxyz"} <= known and f"der('x {name}')" in known
+    assert {f"'{key} {other}'" for key in "qw" for other in others} <= known
     assert validate_fmu(str(path)) == []
     with Simulator(path) as simulator:
         assert list(simulator.interface.outputs) == [f"'y {name}'"]
-        run = simulator.run(np.linspace(0, 1, 11), parameters={f"'p {name}'": 1.5})
+        states = [f"'w {other}'" for other in others]
+        run = simulator.run(
+            np.linspace(0, 1, 11), parameters={f"'p {name}'": 1.5}, outputs=[f"'y {name}'", *states]
+        )
         assert run[f"'y {name}'"][-1] == pytest.approx(np.exp(-1.5), rel=1e-5)
+        assert [run[w][-1] for w in states] == pytest.approx(
+            [3 * np.exp(-1)] * len(states), rel=1e-5
+        )
         with pytest.raises(RunFailure) as caught:
             simulator.run([0.0, 1.0], parameters={f"'p {name}'": 0.0, f"'x {name}'": -1.0})
         assert "an assertion of the model fails" in str(caught.value)

@@ -37,18 +37,14 @@ BALANCE = {
     "rate_friction:viscous": "force",
     "moving_mass:hanging": "force",
     "leak:orifice": "mass",
-    "leak:laminar": "mass",
     "gas_energy:film": "energy",
     "thermocouple_lag:first_order": "sensor",
-    "pressure_offset:constant": "sensor",
     "pressure_offset:gain": "sensor",
 }
 
 
 PAIRS = {
-    "leak:orifice+dry_friction:coulomb": {"force", "mass"},
     "gas_energy:film+elasticity:linear": {"energy", "force"},
-    "elasticity:linear+thermocouple_lag:first_order": {"force", "sensor"},
     "pressure_offset:constant+leak:orifice": {"mass", "sensor"},
 }
 
@@ -84,7 +80,7 @@ def test_both_failing_balances_are_named(hidden: str) -> None:
     assert ledger.closed
 
 
-@pytest.mark.parametrize("seed", [1, *(pytest.param(n, marks=pytest.mark.full) for n in (2, 3, 4))])
+@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.full)])
 def test_nothing_fails_where_nothing_is_missing(seed: int) -> None:
     ledger = _ledger("none", seed)
     assert ledger.failing == () and ledger.closed

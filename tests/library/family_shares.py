@@ -1,11 +1,11 @@
-"""How much of a random member of a family the catalogue can take away.
+"""How much of another form of a family the catalogue can take away.
 
-Members are drawn by the independent rig from the places where the family's cause can act (``rig.family_members``), not
-from the catalogue. Each is put on the isotonic bench without noise. The base model, with its base parameters fitted,
+The forms (``blind_cases.table_further``) are those of a second author, who knew the rig and not the diagnosis.
+Each is put on the isotonic bench of the independent rig without noise. The base model, with its base parameters fitted,
 leaves so much of it; the base model with one effect of the catalogue, fitted together with the base parameters, so much
 less. What is left is a share of squared error, in standard deviations of the usual noise.
 
-python -m tests.library.family_shares [--family F] [--members N] [--effect E] [--write]
+python -m tests.library.family_shares [--family F] [--effect E] [--write]
 """
 
 from __future__ import annotations
@@ -21,6 +21,8 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
+from blind_cases.form import Form
+from blind_cases.table_further import FORMS
 from pam_cosim import study
 from pam_cosim.fitting import Fit, FitOptions, Free, base_parameters, fit
 from pam_cosim.fmu import build_model, build_source
@@ -28,10 +30,10 @@ from pam_cosim.measurement import DataSet, read_data_set
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Simulator
 from rig.effect import Effect
-from rig.family_members import FAMILIES, PLACES, draw
 from rig.measurement import BOUNDS, simulate_plan, write_data_set
+from rig.muscle import MuscleParameters
 from rig.plan import Plan, default_plan
-from tests.library.shelf import BENCH, effects, on_bench
+from tests.library.catalogue import BENCH, effects, on_bench
 
 ROOT = Path(__file__).parents[2]
 RESULTS = Path(__file__).with_name("family_shares.json")
@@ -39,14 +41,17 @@ PAGE = ROOT / "benchmarks" / "families" / "README.md"
 BEGIN, END = "<!-- shares: begin -->", "<!-- shares: end -->"
 ENOUGH = 0.02  # share of squared error left
 LEAST_SIZE = 0.1  # standard deviations; less is nothing to take away
+FORMLESS = {e.name: e.family for e in effects() if e.general or e.name.startswith("Flexible")}
+"""Members whose law is a function with coefficients, and their families."""
+FAMILIES = tuple(dict.fromkeys(form.family for form in FORMS))
 
 
 @dataclass(frozen=True)
 class Share:
-    """What is left of one random member.
+    """What is left of one form.
 
     Attributes:
-        family, place: of the member; ``number``: by which it is drawn.
+        family, form: as the table has them.
         size: rms of what the base model leaves of it, in standard deviations of the noise.
         effect: of the catalogue.
         left: share of that squared error which the base model with the effect leaves.
@@ -54,8 +59,7 @@ class Share:
     """
 
     family: str
-    place: str
-    number: int
+    form: str
     size: float
     effect: str
     left: float
@@ -128,69 +132,42 @@ def _off(one: Free) -> list[dict[str, float]]:
     ]
 
 
-def shares(
-    family: str, number: int, names: Sequence[str] = (), plan: Plan = (), thorough: bool = False
-) -> list[Share]:
-    """What effects of the catalogue leave of a random member: by default the general member of its family.
+def shares(form: Form, names: Sequence[str] = ()) -> list[Share]:
+    """What effects of the catalogue leave of a form: by default the general and flexible members of its family.
 
-    ``thorough``: where more than ``ENOUGH`` is left, the fit is tried again from more starts.
+    Where more than ``ENOUGH`` is left, the fit is tried again from more starts.
     """
-    place, member = draw(family, number)
-    data = data_of(member, plan or fit_runs())
+    seed = np.random.default_rng(FORMS.index(form))
+    data = data_of(form.make(seed, MuscleParameters())(1.0), fit_runs())
     base = fitted_base(data).residuals["fit"]
     size = float(np.sqrt(base.chi2 / base.samples))
-    chosen = names or [e.name for e in effects() if e.family == family and e.general]
-    told = []
-    for name in chosen:
+    made = []
+    for name in names or [n for n, family in FORMLESS.items() if family == form.family]:
         begin = time.perf_counter()
         left = fitted_with(name, data).residuals["fit"].chi2 / base.chi2
-        if left > ENOUGH and thorough:
+        if left > ENOUGH:
             left = min(left, fitted_with(name, data, THOROUGH).residuals["fit"].chi2 / base.chi2)
-        told.append(Share(family, place, number, size, name, left, time.perf_counter() - begin))
-    return told
-
-
-def listed(family: str) -> list[str]:
-    """The members of a family that are no general ones."""
-    return [e.name for e in effects() if e.family == family and not e.general]
+        seconds = time.perf_counter() - begin
+        made.append(Share(form.family, form.name, size, name, left, seconds))
+    return made
 
 
 def table(every: Sequence[Share]) -> str:
-    """Markdown: by family and place, what the general member leaves, and another member where that was tried."""
+    """Markdown: what the general and flexible members of the family leave of each form, the best of each."""
     lines = [
-        "| family | place | members | size | general member leaves | at worst | another member leaves |",
-        "|---|---|---|---|---|---|---|",
+        "| family | form | size | general member leaves | flexible member leaves |",
+        "|---|---|---|---|---|",
     ]
-    for family in FAMILIES:
-        own = [s for s in every if s.family == family and s.size >= LEAST_SIZE]
-        if own:
-            lines.append(_row(f"`{family}`", "all", own, others=False))
-            lines += [
-                _row("", place, [s for s in own if s.place == place]) for place in PLACES[family]
-            ]
-    return "\n".join(line for line in lines if line)
-
-
-def _row(family: str, place: str, own: Sequence[Share], others: bool = True) -> str:
-    general = {e.name for e in effects() if e.general}
-    whole = [s for s in own if s.effect in general]
-    if not whole:
-        return ""
-    left = [s.left for s in whole]
-    size = float(np.median([s.size for s in whole]))
-    rest = sorted((s.left, s.effect) for s in own if s.effect not in general) if others else []
-    other = f"{rest[0][1]} {_percent(rest[0][0])}" if rest else ""
-    median = float(np.median(left))
-    cells = [
-        family,
-        place,
-        str(len(whole)),
-        f"{size:.1f}",
-        _percent(median),
-        _percent(max(left)),
-        other,
-    ]
-    return f"| {' | '.join(cells)} |"
+    for form in FORMS:
+        own = [s for s in every if (s.family, s.form) == (form.family, form.name)]
+        flexible = [s.left for s in own if s.effect.startswith("Flexible")]
+        general = [s.left for s in own if not s.effect.startswith("Flexible")]
+        shown = [
+            _percent(min(left)) if left and own[0].size > LEAST_SIZE else ""
+            for left in (general, flexible)
+        ]
+        lines.append(f"| `{form.family}` | {form.name} | {own[0].size:.1f} | {' | '.join(shown)} |")
+    return "\n".join(lines)
 
 
 def _percent(share: float) -> str:
@@ -203,9 +180,9 @@ def read_results() -> list[Share]:
 
 
 def write_results(new: Sequence[Share]) -> None:
-    """Puts shares in the place of those of the same members and effects, and the table on its page."""
-    key = {(s.family, s.number, s.effect): s for s in [*read_results(), *new]}
-    order = sorted(key.values(), key=lambda s: (FAMILIES.index(s.family), s.number, s.effect))
+    """Puts shares in the place of those of the same forms and effects, and the table on its page."""
+    key = {(s.family, s.form, s.effect): s for s in [*read_results(), *new]}
+    order = sorted(key.values(), key=lambda s: (FAMILIES.index(s.family), s.form, s.effect))
     RESULTS.write_text("[\n" + ",\n".join(json.dumps(asdict(s)) for s in order) + "\n]\n")
     if PAGE.exists():
         head, _, rest = PAGE.read_text().partition(BEGIN)
@@ -216,33 +193,20 @@ def main() -> None:
     """Command line."""
     parser = argparse.ArgumentParser(prog="python -m tests.library.family_shares")
     parser.add_argument("--family", action="append", choices=FAMILIES)
-    parser.add_argument(
-        "--members", type=int, default=0, help="numbers up to this; default: one for each place"
-    )
-    parser.add_argument("--number", type=int, action="append", help="this member alone")
-    parser.add_argument(
-        "--effect",
-        action="append",
-        default=[],
-        help="of the catalogue; 'listed': all but the general",
-    )
-    parser.add_argument(
-        "--thorough", action="store_true", help="try again from more starts where much is left"
-    )
+    parser.add_argument("--effect", action="append", default=[], help="of the catalogue")
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
-    for family in options.family or FAMILIES:
-        names = listed(family) if options.effect == ["listed"] else options.effect
-        for number in options.number or range(options.members or len(PLACES[family])):
-            told = shares(family, number, names, thorough=options.thorough)
-            for s in told:
+    for form in FORMS:
+        if form.family in (options.family or FAMILIES):
+            made = shares(form, options.effect)
+            for s in made:
                 print(
-                    f"{s.family:17} {s.place:34} {s.number:3} size {s.size:6.2f}  {s.effect:22}",
-                    end=" ",
+                    f"{s.family:17} {s.form:20} size {s.size:6.2f}  {s.effect:22} "
+                    f"left {100 * s.left:8.3f} %  {s.seconds:5.1f} s",
+                    flush=True,
                 )
-                print(f"left {100 * s.left:8.3f} %  {s.seconds:5.1f} s", flush=True)
             if options.write:
-                write_results(told)
+                write_results(made)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ import numpy as np
 from pam_cosim.catalogue import ComposedBench, compose_bench, rig_parts
 from pam_cosim.fmu import build_source
 from pam_cosim.simulation import Inputs, Simulator, Trajectory
-from tests.library.shelf import tree
+from tests.library.catalogue import tree
 
 
 @cache

@@ -10,7 +10,7 @@ import pytest
 from pam_cosim.catalogue import compose_bench
 from pam_cosim.fmu import build_model
 from pam_cosim.simulation import Simulator
-from tests.library.shelf import BENCH, benches, tree
+from tests.library.catalogue import BENCH, benches, tree
 
 FRAME = "PneumaticMuscle.Interfaces.Rig"
 WITHOUT_SURROUNDINGS = {"PneumaticMuscle.Benches.LumpedLinear"}

@@ -14,7 +14,7 @@ from pam_cosim.errors import ModelError
 from pam_cosim.fmu import build_model
 from pam_cosim.resources import modelica_root
 from pam_cosim.simulation import Simulator
-from tests.library.shelf import check_each, tree
+from tests.library.catalogue import check_each, tree
 
 LIBRARY = modelica_root() / "PneumaticMuscle"
 SHELVES = ("Benches", "Examples")

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.library.catalogue import BENCH, on_bench
 from tests.library.ode import Model
-from tests.library.shelf import BENCH, on_bench
 
 COVERED = {"muscle.fibres": 300.0}  # 178 cm2 of fibres on 151 cm2 at rest
 

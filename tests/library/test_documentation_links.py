@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from tests.library.shelf import check_each, tree
+from tests.library.catalogue import check_each, tree
 from tests.library.test_references import BIBLIOGRAPHY
 
 LINK = re.compile(r'<a\s+href="([^"]*)">(.*?)</a>', re.DOTALL)

@@ -13,7 +13,7 @@ from pam_cosim.catalogue import EffectClass
 from pam_cosim.compiler import Ode
 from pam_cosim.fmu import read_interface
 from pam_cosim.model.interface import Interface
-from tests.library.shelf import (
+from tests.library.catalogue import (
     base,
     benches,
     built,

@@ -14,7 +14,7 @@ from rig.measurement import TRUTH
 from rig.muscle import simulate_muscle
 from rig.named import effect_of
 from rig.plan import default_plan
-from tests.library.shelf import BENCH, NOISE, built, effects, on_bench, values
+from tests.library.catalogue import BENCH, NOISE, built, effects, on_bench, values
 
 TIMES = np.linspace(0, 10, 501)
 RUN = default_plan()[2]  # fills, holds and vents in parts under a small load

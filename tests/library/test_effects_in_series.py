@@ -16,7 +16,7 @@ from pam_cosim.compiler import read_library
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_model, build_source
 from pam_cosim.simulation import Simulator
-from tests.library.shelf import BENCH, driven, tree
+from tests.library.catalogue import BENCH, driven, tree
 
 ONE_CHANNEL = {
     "PositionOffset": ("offset", 2e-3),

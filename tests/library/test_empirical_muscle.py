@@ -14,7 +14,7 @@ import pytest
 from pam_cosim.catalogue import compose
 from pam_cosim.fmu import build_model, build_source
 from pam_cosim.simulation import Inputs, Simulator
-from tests.library.shelf import tree
+from tests.library.catalogue import tree
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "dzahir-yamamoto"
 BASE = "PneumaticMuscle.Examples.ConstantFrictionLoad"

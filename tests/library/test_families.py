@@ -10,7 +10,7 @@ from pam_cosim.catalogue import EffectClass, effect_classes
 from pam_cosim.compiler import read_library
 from pam_cosim.errors import ModelError
 from pam_cosim.resources import modelica_root
-from tests.library.shelf import effects, tree
+from tests.library.catalogue import effects, tree
 
 EFFECTS = "PneumaticMuscle.Effects"
 PACKAGES = sorted(

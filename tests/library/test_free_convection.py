@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 
 from pam_cosim.simulation import Simulator
 from rig.flow import GAMMA, P_ATM, T_ATM, R, mass_flow
-from tests.library.shelf import built, effects, on_bench, values
+from tests.library.catalogue import built, effects, on_bench, values
 
 BENCH = "PneumaticMuscle.Benches.VesselOrifice"
 TIMES = np.linspace(0, 60, 121)

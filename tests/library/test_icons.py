@@ -7,7 +7,7 @@ import pytest
 
 from pam_cosim.compiler.syntax import Reference
 from pam_cosim.fmu.drawing import Pictures, Placed
-from tests.library.shelf import check_each, tree
+from tests.library.catalogue import check_each, tree
 
 PICTURES = Pictures()
 

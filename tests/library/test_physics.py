@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.library.catalogue import BENCH, on_bench, tree
 from tests.library.ode import Model, Values
-from tests.library.shelf import BENCH, on_bench, tree
 
 R, GAMMA = 287.05, 1.4
 MASS_OFF = (

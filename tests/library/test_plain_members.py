@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 
 from pam_cosim.simulation import Inputs, Simulator
 from rig.flow import P_ATM, T_ATM, R, valve_area
-from tests.library.shelf import built, effects, on_bench, values
+from tests.library.catalogue import built, effects, on_bench, values
 
 BENCH = "PneumaticMuscle.Benches.TankFilling"
 TIMES = np.linspace(0, 40, 401)

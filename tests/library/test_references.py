@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from tests.library.shelf import check_each, tree
+from tests.library.catalogue import check_each, tree
 
 BIBLIOGRAPHY = "PneumaticMuscle.UsersGuide.References"
 NAME = r"[A-Z][A-Za-z]+(?:-[A-Z][a-z]+)?"

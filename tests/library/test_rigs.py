@@ -14,8 +14,8 @@ from pam_cosim.compiler import compile_model, read_library, read_structure
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_model
 from pam_cosim.simulation import Inputs, Simulator
+from tests.library.catalogue import effects
 from tests.library.rigs import choices, held, rig, run, written
-from tests.library.shelf import effects
 
 G = 9.80665
 ALL = [

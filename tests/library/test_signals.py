@@ -10,7 +10,7 @@ import pytest
 from pam_cosim.catalogue.place import is_signal
 from pam_cosim.fmu import build_model
 from pam_cosim.simulation import Simulator
-from tests.library.shelf import BENCH, benches, check_each, tree
+from tests.library.catalogue import BENCH, benches, check_each, tree
 
 ROLES = ("PneumaticMuscle.Pneumatics", "PneumaticMuscle.Mechanics", "PneumaticMuscle.Instruments")
 PARTS = [

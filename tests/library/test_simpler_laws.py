@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.fmu import read_interface
-from tests.library.shelf import base, built, effects, law_bench, noise, on_bench, run, values
+from tests.library.catalogue import base, built, effects, law_bench, noise, on_bench, run, values
 
 CREEP, LINE = {"k": 300.0}, {"A": 3e-7}
 LEFT: dict[tuple[str, str, str], tuple[dict[str, float], dict[str, float]]] = {

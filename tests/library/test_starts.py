@@ -15,8 +15,8 @@ from pam_cosim.fmu import build_source
 from pam_cosim.model.interface import sensitivity_name
 from pam_cosim.resources import modelica_root
 from pam_cosim.simulation import Inputs, Settle, Simulator, Trajectory
+from tests.library.catalogue import BENCH, check_each, effects, on_bench
 from tests.library.rigs import choices, rig
-from tests.library.shelf import BENCH, check_each, effects, on_bench
 
 CLASSES = sorted(
     p for p in (modelica_root() / "PneumaticMuscle").rglob("*.mo") if p.name != "package.mo"
@@ -124,11 +124,6 @@ def test_every_effect_begins_at_rest() -> None:
 
 @pytest.mark.full
 def test_states_that_begin_at_rest_are_marked() -> None:
-    check_each(check_marks, one_of_each_family())
-
-
-@pytest.mark.full
-def test_all_of_them_are_marked() -> None:
     check_each(check_marks, storing())
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from pam_cosim import study
 from pam_cosim.resources import modelica_root
-from tests.library.shelf import BENCH, benches, composed, effects, tree
+from tests.library.catalogue import BENCH, benches, composed, effects, tree
 from tests.library.test_effects_in_series import SIX
 from tests.openmodelica.compiler import OMC, WHY_NOT
 

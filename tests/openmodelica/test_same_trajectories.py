@@ -10,7 +10,7 @@ import pytest
 
 from pam_cosim.fmu import build_model
 from pam_cosim.simulation import Simulator
-from tests.library.shelf import BENCH, built
+from tests.library.catalogue import BENCH, built
 
 HERE = Path(__file__).parent
 CLASSES = sorted(p.stem for p in (HERE / "classes").glob("*.csv"))

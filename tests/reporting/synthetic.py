@@ -106,7 +106,7 @@ def make_candidate(data, effect, family, balance, error, own=None, before=(), **
 
 
 def make_diagnosis(kind="identified", data=None, **changes):
-    """One diagnosis of each kind, all with the same shelf of candidates."""
+    """One diagnosis of each kind, all with the same candidates."""
     data = data or make_data()
     stiff = {
         "bladder.k": Estimate(812.0, 804.0, 820.0, "N/m"),
@@ -127,7 +127,7 @@ def make_diagnosis(kind="identified", data=None, **changes):
     base = make_fit(data, 10.0)
     candidates = (best, rival, poor)
     balance = {"energy": 0.0, "force": 0.93, "mass": 0.07}
-    shelf = {
+    by_kind = {
         "none_missing": Diagnosis(
             data, data.model, make_fit(data, 0.0), (poor,), (), dict.fromkeys(balance, 0.0),
             Verdict("none_missing"),
@@ -150,4 +150,4 @@ def make_diagnosis(kind="identified", data=None, **changes):
             ),
         ),
     }  # fmt: skip
-    return replace(shelf[kind], **{"failed": (failed,)} | changes)
+    return replace(by_kind[kind], **{"failed": (failed,)} | changes)

@@ -57,5 +57,6 @@ def test_its_status_is_that_of_the_tests(checkout: Path, shell: str) -> None:
     assert not list((checkout / "temporary").iterdir())
     calls = (checkout / "calls").read_text().splitlines()
     assert [call for call in calls if "full_tests" in call] == [
-        "-m scripts.full_tests before --full"
+        "-m scripts.full_tests before --full",
+        "-m scripts.full_tests after 3 --full",
     ]

@@ -1,10 +1,10 @@
 model Reservoir "A user's own bench: a bottle that empties into the room"
-  import PneumaticMuscle.Components;
+  import PneumaticMuscle.Pneumatics.Components;
   output PneumaticMuscle.Types.GaugePressure pressure "Reading of the gauge";
   output PneumaticMuscle.Types.Temperature temperature "Reading of the thermometer";
-  replaceable model Thermometer = PneumaticMuscle.Sensors.IdealThermometer
+  replaceable model Thermometer = PneumaticMuscle.Instruments.Sensors.IdealThermometer
     constrainedby PneumaticMuscle.Interfaces.Thermometer;
-  inner Components.Ambient ambient;
+  inner PneumaticMuscle.Ambient ambient;
   Components.Tank bottle(V=16.2e-3, p_start=690e3, startIsReference=true);
   Components.PlainOrifice hole(d=2.71e-3, C_d=0.7);
   Components.Atmosphere room;

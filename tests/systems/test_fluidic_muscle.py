@@ -103,8 +103,8 @@ def test_an_effect_meets_a_published_table_as_well_as_a_formula_fitted_to_it(fol
 
 
 @pytest.mark.full
-def test_the_catalogue_finds_it(folder: Path) -> None:
-    diagnosis = pam.diagnose(pam.read(folder))
+def test_the_catalogue_finds_it(folder: Path, workers: int | None) -> None:
+    diagnosis = pam.diagnose(pam.read(folder), explain=False, workers=workers)
     assert diagnosis.verdict.effects == ("SarosiEnds",)
     for ours, formula in zip(left(diagnosis.candidates[0].fit), by_formula(), strict=True):
         assert ours < 1.1 * formula

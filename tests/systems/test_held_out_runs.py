@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from pam_cosim import study
-from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.judgement.posterior import something_else
 from pam_cosim.measurement import DataSet
 from rig.instruments import readings
@@ -43,13 +42,11 @@ def _measured(folder: Path) -> DataSet:
     return study.read(folder)
 
 
-@pytest.fixture(scope="module")
-def diagnosis(tmp_path_factory: pytest.TempPathFactory) -> Diagnosis:
-    return study.diagnose(_measured(tmp_path_factory.mktemp("cord") / "data"), explain=False)
-
-
 @pytest.mark.full
-def test_what_only_held_out_runs_show_is_found_and_not_called_checked(diagnosis: Diagnosis) -> None:
+def test_what_only_held_out_runs_show_is_found_and_not_called_checked(
+    tmp_path: Path, workers: int | None
+) -> None:
+    diagnosis = study.diagnose(_measured(tmp_path / "data"), explain=False, workers=workers)
     verdict = diagnosis.verdict
     assert verdict.kind == "identified" and "elasticity" in verdict.families
     assert "The model found from the fitted runs failed on the held-out runs" in verdict.reason

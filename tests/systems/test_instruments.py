@@ -27,10 +27,8 @@ from rig.short import write_light_data
 # fault of the rig: the effect of the same law, its parameter, bounds and true value
 FAULTS: dict[Fault, tuple[str, str, tuple[float, float], float]] = {
     ClockOffset(-0.04): ("ClockOffset", "recorder.shift", (-2.0, 2.0), -0.04),
-    ClockOffset(0.03): ("ClockOffset", "recorder.shift", (-2.0, 2.0), 0.03),
     Offset("x", 1.5e-3): ("PositionOffset", "channel_x.offset", (-0.02, 0.02), 1.5e-3),
     Gain("x", 1.05): ("PositionGain", "channel_x.gain", (0.5, 2.0), 1.05),
-    Lag("x", 0.03): ("PositionLag", "channel_x.tau", (1e-4, 5.0), 0.03),
     Lag("p", 0.04): ("PressureLag", "channel_p.tau", (1e-4, 5.0), 0.04),
     Gain("T", 1.15, zero=293.15): ("TemperatureGain", "channel_T.gain", (0.5, 2.0), 1.15),
     TransducerSaturation("p", high=70e3): (
@@ -67,14 +65,10 @@ def test_a_fault_is_measured(tmp_path: Path, fault: Fault) -> None:
 
 
 NAMED: dict[tuple[Fault, ...], str] = {
-    (Offset("x", 1.5e-3),): "position_sensor",
     (OffsetAndGain("x", 1e-3, 1.04),): "position_sensor",
-    (Lag("p", 0.04),): "pressure_sensor_lag",
     (ClockOffset(-0.04),): "clock_offset",
     (Saturation("p", high=60e3),): "saturation",
-    (Offset("T", 2.0),): "temperature_sensor",
     (Offset("p", 101_325.0),): "pressure_offset",  # an absolute pressure, recorded as gauge
-    (Offset("x", 0.03),): "position_sensor",
 }
 
 
@@ -83,6 +77,6 @@ NAMED: dict[tuple[Fault, ...], str] = {
 def test_a_fault_is_named_as_that_of_an_instrument(
     tmp_path: Path, workers: int | None, faults: tuple[Fault, ...]
 ) -> None:
-    diagnosis = study.diagnose(faulty(tmp_path, *faults), workers=workers)
+    diagnosis = study.diagnose(faulty(tmp_path, *faults), explain=False, workers=workers)
     assert (diagnosis.verdict.kind, diagnosis.verdict.families) == ("identified", (NAMED[faults],))
     assert "An instrument, not physics:" in diagnosis_text(diagnosis)

@@ -67,7 +67,9 @@ def _cracked() -> DataSet:
 
 @pytest.mark.full
 def test_own_effect_is_found_when_its_file_is_named(workers: int | None) -> None:
-    diagnosis = study.diagnose(_cracked(), files=[HERE / "BurstLeak.mo"], workers=workers)
+    diagnosis = study.diagnose(
+        _cracked(), files=[HERE / "BurstLeak.mo"], explain=False, workers=workers
+    )
     assert diagnosis.verdict.kind == "identified", diagnosis.verdict
     assert (diagnosis.verdict.families, diagnosis.verdict.effects) == (
         ("burst_leak",),
@@ -87,7 +89,7 @@ def test_own_bench(workers: int | None) -> None:
     data = data_set(
         str(HERE / "Reservoir.mo"), [run], {"pressure": 1000.0, "temperature": 0.3}, fit
     )
-    diagnosis = study.diagnose(data, workers=workers)
+    diagnosis = study.diagnose(data, explain=False, workers=workers)
     assert diagnosis.verdict.kind == "identified", diagnosis.verdict
     assert diagnosis.verdict.families == ("gas_energy",)
     assert diagnosis.final.comparison.chi2_reduced("fit") == pytest.approx(1.0, abs=0.15)

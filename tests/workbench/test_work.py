@@ -164,8 +164,9 @@ def test_a_hidden_effect_is_found_added_and_the_error_at_the_noise(
         window.do(do="take", candidate=verdict["effects"])
         added = window.do(do="add")
         assert (folder / added["file"]).read_text() == added["text"]
-        for level in window.last("scores")["scores"]["holdout"].values():
-            assert level["rms"] < 1.3 * level["noise"]
+        noise = {signal["name"]: signal["noise"] for signal in window.last("study")["signals"]}
+        for name, level in window.last("scores")["scores"]["holdout"].items():
+            assert level["rms"] < 1.3 * noise[name]
         report = document(session, "report.html")
         assert verdict["headline"] in report and verdict["reason"].replace("'", "&#39;") in report
 

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 
 
-@dataclass(frozen=True)
+@law
 class Creep(Effect):
     """A spring that relaxes (Maxwell element): k (x - q) with q' = (x - q)/tau."""
 
-    family = "creep"
     form = "maxwell"
     atol: ClassVar[tuple[float, ...]] = (1e-10,)
     k: float = 400.0  # N/m
@@ -28,11 +26,10 @@ class Creep(Effect):
         return self.k * (x - q[0])
 
 
-@dataclass(frozen=True)
+@law
 class Prony(Effect):
     """Two Maxwell elements whose times lie a decade apart."""
 
-    family = "creep"
     form = "prony"
     atol: ClassVar[tuple[float, ...]] = (1e-10, 1e-10)
     k: float = 300.0  # N/m, of the fast one

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from rig.effect import Effect
+from rig.effect import Effect, law
 
 
-@dataclass(frozen=True)
+@law
 class DeadVolume(Effect):
     """Gas volume in fittings that does not take part in contraction."""
 
-    family = "dead_volume"
     form = "constant"
     volume: float = 1.0e-5  # m3
 

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import tanh
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 
 
-@dataclass(frozen=True)
+@law
 class Coulomb(Effect):
     """Coulomb friction F_c tanh(v/width)."""
 
-    family = "dry_friction"
     form = "coulomb"
     stiff = True
     f_c: float = 8.0  # N
@@ -23,11 +21,10 @@ class Coulomb(Effect):
         return self.f_c * tanh(v / self.width)
 
 
-@dataclass(frozen=True)
+@law
 class Dahl(Effect):
     """Dahl friction: a bristle q with q' = v - |v| stiffness q/F_c and force stiffness q; at rest q = 0."""
 
-    family = "dry_friction"
     form = "dahl"
     atol: ClassVar[tuple[float, ...]] = (1e-10,)
     f_c: float = 8.0  # N
@@ -43,11 +40,10 @@ class Dahl(Effect):
         return self.stiffness * q[0]
 
 
-@dataclass(frozen=True)
+@law
 class MaxwellSlip(Effect):
     """Four Dahl bristles in parallel with travels d/8, d/4, d/2 and d."""
 
-    family = "dry_friction"
     form = "maxwell_slip"
     atol: ClassVar[tuple[float, ...]] = (1e-7,) * 4
     f_c: float = 8.0  # N

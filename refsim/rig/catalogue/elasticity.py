@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import pi, sqrt
 
-from rig.effect import Effect, State
+from rig.effect import Effect, State, law
 
 
-@dataclass(frozen=True)
+@law
 class LinearSpring(Effect):
     """The bladder as a spring: k x."""
 
-    family = "elasticity"
     form = "linear"
     k: float = 250.0  # N/m
 
@@ -20,11 +18,10 @@ class LinearSpring(Effect):
         return self.k * x
 
 
-@dataclass(frozen=True)
+@law
 class CubicSpring(Effect):
     """A spring that stiffens: k1 x + k3 x^3."""
 
-    family = "elasticity"
     form = "cubic"
     k1: float = 120.0  # N/m
     k3: float = 5.0e4  # N/m3
@@ -33,7 +30,7 @@ class CubicSpring(Effect):
         return self.k1 * x + self.k3 * x**3
 
 
-@dataclass(frozen=True)
+@law
 class MooneyRivlin(Effect):
     """A thin incompressible Mooney-Rivlin tube that follows the braid; force by virtual work dW/dx.
 
@@ -41,7 +38,6 @@ class MooneyRivlin(Effect):
     W = V_wall (C10 (a^2 + c^2 + 1/(a c)^2 - 3) + C01 (1/a^2 + 1/c^2 + (a c)^2 - 3)).
     """
 
-    family = "elasticity"
     form = "mooney_rivlin"
     c10: float = 1.2e5  # Pa
     c01: float = 2.0e4  # Pa
@@ -62,11 +58,10 @@ class MooneyRivlin(Effect):
         return -wall / self.length * (self.c10 * i1_a + self.c01 * i2_a)
 
 
-@dataclass(frozen=True)
+@law
 class YoungTube(Effect):
     """A thin tube of Hooke's rubber, incompressible (Poisson 1/2), that follows the braid; force by virtual work."""
 
-    family = "elasticity"
     form = "young"
     modulus: float = 5e5  # Pa
     length: float = 0.24  # m

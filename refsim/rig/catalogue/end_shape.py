@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import exp
 
-from rig.effect import Effect
+from rig.effect import Effect, law
 
 
-@dataclass(frozen=True)
+@law
 class TonduEnds(Effect):
     """The ends contract less: contraction counts k times in the force (Tondu and Lopez)."""
 
-    family = "end_shape"
     form = "tondu"
     k: float = 1.06
 
@@ -20,11 +18,10 @@ class TonduEnds(Effect):
         return self.k
 
 
-@dataclass(frozen=True)
+@law
 class KangEnds(Effect):
     """Contraction counts q(P) = 1 + c1 exp(-P/p0) times in the force (Kang)."""
 
-    family = "end_shape"
     form = "kang"
     c1: float = 0.2
     p0: float = 1.0e5  # Pa
@@ -33,11 +30,10 @@ class KangEnds(Effect):
         return 1 + self.c1 * exp(-p_gauge / self.p0)
 
 
-@dataclass(frozen=True)
+@law
 class KerscherEnds(Effect):
     """The pull is 1 + c exp(-eps/eps_0) times the cylinder's."""
 
-    family = "end_shape"
     form = "kerscher"
     c: float = 0.1
     eps_0: float = 0.1

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from rig.effect import Effect
+from rig.effect import Effect, law
 
 
-@dataclass(frozen=True)
+@law
 class FrictionHeat(Effect):
     """A share of the power that fibre friction dissipates heats the gas."""
 
-    family = "friction_heat"
     form = "share"
     share: float = 1.0
 
@@ -19,11 +16,10 @@ class FrictionHeat(Effect):
         return self.share * (fibre + bladder)
 
 
-@dataclass(frozen=True)
+@law
 class FibreHeat(Effect):
     """A share of the power of fibre on fibre heats the gas."""
 
-    family = "friction_heat"
     form = "fibre"
     share: float = 1.0
 

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.flow import R
 
 
-@dataclass(frozen=True)
+@law
 class GasEnergy(Effect):
     """Gas temperature from mass and energy, T = p V/(m R), with heat exchange through the wall area."""
 
-    family = "gas_energy"
     form = "film"
     energy_balance = True
     atol: ClassVar[tuple[float, ...]] = (1e-14,)
@@ -32,11 +30,10 @@ class GasEnergy(Effect):
         return pressure_volume / (q[0] * R)
 
 
-@dataclass(frozen=True)
+@law
 class EnergyGas(Effect):
     """Gas temperature from mass and energy; state: mass. Films inside and outside the wall grow alike."""
 
-    family = "gas_energy"
     energy_balance = True
     atol: ClassVar[tuple[float, ...]] = (1e-14,)
     h: float = 20.0  # W/(m2 K)
@@ -55,7 +52,7 @@ class EnergyGas(Effect):
         return pressure_volume / (q[0] * R)
 
 
-@dataclass(frozen=True)
+@law
 class StirredGas(EnergyGas):
     """The film grows with the flow: h + h_1 (|m_jet|/0.1 g/s)^0.8, where the jet dies away in tau."""
 

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import pi
 
-from rig.effect import Effect
+from rig.effect import Effect, law
 from rig.flow import P_ATM, T_ATM, mass_flow
 
 
-@dataclass(frozen=True)
+@law
 class OrificeLeak(Effect):
     """A hole to ambient, compressible flow through C_d pi d^2/4."""
 
-    family = "leak"
     form = "orifice"
     diameter: float = 0.1e-3  # m
     c_d: float = 0.7
@@ -23,11 +21,10 @@ class OrificeLeak(Effect):
         return mass_flow(area, p, temperature, P_ATM, T_ATM)
 
 
-@dataclass(frozen=True)
+@law
 class LaminarLeak(Effect):
     """A laminar leak, mass flow = conductance times gauge pressure."""
 
-    family = "leak"
     form = "laminar"
     conductance: float = 2.0e-11  # kg/(s Pa)
 

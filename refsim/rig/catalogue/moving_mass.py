@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from rig.effect import Effect
+from rig.effect import Effect, law
 
 
-@dataclass(frozen=True)
+@law
 class HangingMass(Effect):
     """The rig's own moving mass hangs on the muscle too: inertia and weight."""
 
-    family = "moving_mass"
     form = "hanging"
     m: float = 0.8  # kg
 
@@ -19,11 +16,10 @@ class HangingMass(Effect):
         return self.m
 
 
-@dataclass(frozen=True)
+@law
 class BalancedMass(Effect):
     """Inertia without weight."""
 
-    family = "moving_mass"
     form = "balanced"
     m: float = 3.0  # kg
 

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from rig.effect import Effect, State
+from rig.effect import Effect, State, law
 
 
-@dataclass(frozen=True)
+@law
 class PressureOffset(Effect):
     """The pressure reading is off by a constant."""
 
-    family = "pressure_offset"
     form = "constant"
     offset: float = 5.0e3  # Pa
 
@@ -19,11 +16,10 @@ class PressureOffset(Effect):
         return p_gauge + self.offset
 
 
-@dataclass(frozen=True)
+@law
 class PressureGain(Effect):
     """The pressure reading is off by a factor."""
 
-    family = "pressure_offset"
     form = "gain"
     gain: float = 1.05
 

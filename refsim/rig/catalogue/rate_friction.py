@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import pi, pow
 
-from rig.effect import Effect, State
+from rig.effect import Effect, State, law
 
 
-@dataclass(frozen=True)
+@law
 class Viscous(Effect):
     """Viscous friction c v."""
 
-    family = "rate_friction"
     form = "viscous"
     c: float = 300.0  # N s/m
 
@@ -20,11 +19,10 @@ class Viscous(Effect):
         return self.c * v
 
 
-@dataclass(frozen=True)
+@law
 class PressureViscous(Effect):
     """Friction in proportion to gauge pressure and speed: c p_gauge v."""
 
-    family = "rate_friction"
     form = "pressure"
     c: float = 3.0e-3  # N s/(m Pa)
 
@@ -32,11 +30,10 @@ class PressureViscous(Effect):
         return self.c * p_gauge * v
 
 
-@dataclass(frozen=True)
+@law
 class PowerViscous(Effect):
     """Friction c |v|^a sign(v), made differentiable at rest: c v (v^2 + eps^2)^((a-1)/2)."""
 
-    family = "rate_friction"
     form = "power"
     c: float = 60.0  # N (s/m)^a
     a: float = 0.5
@@ -46,11 +43,10 @@ class PowerViscous(Effect):
         return self.c * v * pow(v * v + self.eps * self.eps, (self.a - 1) / 2)
 
 
-@dataclass(frozen=True)
+@law
 class LoadRate(Effect):
     """Friction ab F v/L0 with the muscle's pull F (Dzahir and Yamamoto)."""
 
-    family = "rate_friction"
     form = "load_rate"
     ab: float = 0.5  # s
     length: float = 0.24  # m
@@ -63,11 +59,10 @@ class LoadRate(Effect):
         return self.ab * max(pull, 0.0) * v / self.length
 
 
-@dataclass(frozen=True)
+@law
 class LoadFrequency(Effect):
     """Friction ab W f v/L0 by the weight W and the frequency f of the run (Dzahir and Yamamoto (10)-(11))."""
 
-    family = "rate_friction"
     form = "load_frequency"
     ab: float = 0.15  # s2
     length: float = 0.3  # m

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
-from rig.effect import LineEffect, Rest, State
+from rig.effect import LineEffect, Rest, State, law
 from rig.flow import CP, CV, GAMMA, P_ATM, T_ATM, R, mass_flow
 
 
-@dataclass(frozen=True)
+@law
 class Tube(LineEffect):
     """One volume at the valves (mass, energy), a resistance to the muscle."""
 
-    family = "supply_line"
     atol: ClassVar[tuple[float, ...]] = (1e-12, 1e-7)
     volume: float = 5e-6  # m3
 
@@ -39,7 +37,7 @@ class Tube(LineEffect):
         return from_valves[0] - flow, from_valves[1] - enthalpy
 
 
-@dataclass(frozen=True)
+@law
 class OrificeTube(Tube):
     """A tube whose resistance is an orifice of the given effective area."""
 
@@ -50,14 +48,14 @@ class OrificeTube(Tube):
         return mass_flow(self.area, p_a, t_a, p_b, t_b)
 
 
-@dataclass(frozen=True)
+@law
 class LongTube(OrificeTube):
     """A long tube: resistance and a volume that counts."""
 
     form = "long"
 
 
-@dataclass(frozen=True)
+@law
 class LaminarTube(Tube):
     """Isothermal laminar flow: G (p_a^2 - p_b^2)/(2 p_atm)."""
 

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 
 
-@dataclass(frozen=True)
+@law
 class ThermocoupleLag(Effect):
     """The temperature reading follows the gas through a first-order lag."""
 
-    family = "thermocouple_lag"
     form = "first_order"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     tau: float = 0.15  # s
@@ -27,11 +25,10 @@ class ThermocoupleLag(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class Sheath(Effect):
     """The thermometer: a sheath with tau, a junction in it with r tau."""
 
-    family = "thermocouple_lag"
     form = "sheath"
     atol: ClassVar[tuple[float, ...]] = (1e-6, 1e-6)
     tau: float = 0.15  # s

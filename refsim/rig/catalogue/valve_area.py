@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from rig.effect import Effect, State
+from rig.effect import Effect, State, law
 from rig.schedule import Currents
 
 
-@dataclass(frozen=True)
+@law
 class BackPressure(Effect):
     """Back pressure closes the valves a little: area times 1 - beta p_down/p_up."""
 
-    family = "valve_area"
     form = "back_pressure"
     beta: float = 0.15
 
@@ -20,11 +17,10 @@ class BackPressure(Effect):
         return 1 - self.beta * p_down / p_up
 
 
-@dataclass(frozen=True)
+@law
 class CurrentOffset(Effect):
     """Both valves feel u + u_0."""
 
-    family = "valve_area"
     form = "current_offset"
     u_0: float = 0.01  # A
 
@@ -32,11 +28,10 @@ class CurrentOffset(Effect):
         return command[0] + self.u_0, command[1] + self.u_0
 
 
-@dataclass(frozen=True)
+@law
 class UnequalAreas(Effect):
     """The exhaust valve is r times as large as the inlet valve."""
 
-    family = "valve_area"
     form = "unequal"
     r: float = 0.85
 

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.schedule import Currents
 
 
-@dataclass(frozen=True)
+@law
 class ValveLag(Effect):
     """Both currents act through a first-order lag."""
 
-    family = "valve_dynamics"
     form = "lag"
     atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-9)
     tau: float = 0.08  # s
@@ -28,11 +26,10 @@ class ValveLag(Effect):
         return q[0], q[1]
 
 
-@dataclass(frozen=True)
+@law
 class ValveDeadTime(Effect):
     """Both currents act after a dead time."""
 
-    family = "valve_dynamics"
     form = "dead_time"
     dead_time: float = 0.05  # s
 
@@ -40,11 +37,10 @@ class ValveDeadTime(Effect):
         return self.dead_time
 
 
-@dataclass(frozen=True)
+@law
 class ValveSecondOrder(Effect):
     """Both currents act through a damped oscillator: u'' = omega^2 (command - u) - 2 zeta omega u'."""
 
-    family = "valve_dynamics"
     form = "second_order"
     atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-7, 1e-9, 1e-7)
     omega: float = 25.0  # rad/s

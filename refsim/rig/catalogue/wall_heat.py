@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import sqrt
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.flow import T_ATM
 
 
-@dataclass(frozen=True)
+@law
 class WarmWall(Effect):
     """The wall has a heat capacity and passes heat on to ambient: C T_w' = heat from gas - G_out (T_w - T_atm).
 
     The base model's coefficient then acts between gas and wall.
     """
 
-    family = "wall_heat"
     form = "lumped"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     capacity: float = 0.4  # J/K
@@ -33,11 +31,10 @@ class WarmWall(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class StorageWall(Effect):
     """Heat is stored in the middle of the wall, between a film inside (h_film) and one outside (r h_film)."""
 
-    family = "wall_heat"
     form = "storage"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     capacity: float = 1.0  # J/K

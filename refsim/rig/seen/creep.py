@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import exp, expm1, sinh, sqrt
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.flow import T_ATM
 
 _TIMES = tuple(4.0**k for k in range(-3, 3))  # of the relaxation time
@@ -20,12 +19,10 @@ _WLF = (
 )  # [-] and [K]: the universal constants 17.44 and 51.6 K, moved from -70 degC, latex's, to 20 degC
 
 
-@dataclass(frozen=True)
+@law
 class FractionalCreep(Effect):
     """Relaxation by a power of time, as five Maxwell elements from 0.1 s to 31.6 s: weights tau^-a."""
 
-    family = "creep"
-    form = "fractional"
     atol: ClassVar[tuple[float, ...]] = (1e-10,) * 5
     k: float = 200.0  # N/m, at 1 s
     a: float = 0.3
@@ -42,12 +39,10 @@ class FractionalCreep(Effect):
         )
 
 
-@dataclass(frozen=True)
+@law
 class EyringCreep(Effect):
     """A Maxwell element whose dashpot thins when it is loaded: q' = (x_0/tau) sinh((x - q)/x_0)."""
 
-    family = "creep"
-    form = "eyring"
     atol: ClassVar[tuple[float, ...]] = (1e-10,)
     k: float = 400.0  # N/m
     tau: float = 2.0  # s
@@ -63,15 +58,13 @@ class EyringCreep(Effect):
         return self.k * (x - q[0])
 
 
-@dataclass(frozen=True)
+@law
 class FungCreep(Effect):
     """Quasi-linear viscoelasticity: one relaxation time acts on a spring that stiffens, e = x_0 (exp(x/x_0) - 1).
 
     Source: Y. C. Fung, Biomechanics: Mechanical Properties of Living Tissues (1981), section 7.6.
     """
 
-    family = "creep"
-    form = "fung"
     atol: ClassVar[tuple[float, ...]] = (1e-10,)
     k: float = 200.0  # N/m
     tau: float = 1.5  # s
@@ -90,7 +83,7 @@ class FungCreep(Effect):
         return self.k * (self._stretch(x) - q[0])
 
 
-@dataclass(frozen=True)
+@law
 class FlowingRubber(Effect):
     """A spring whose dashpot flows by a power m of its load: q' = e/tau (d + (e/x_0)^2)^((m - 1)/2), force k e.
 
@@ -99,8 +92,6 @@ class FlowingRubber(Effect):
     elastomers, J. Mech. Phys. Solids 46 (1998) 931; d = 0.01 keeps a little flow at rest.
     """
 
-    family = "creep"
-    form = "power_flow"
     atol: ClassVar[tuple[float, ...]] = (1e-10,)
     k: float = 400.0  # N/m
     tau: float = 2.0  # s
@@ -118,15 +109,13 @@ class FlowingRubber(Effect):
         return self.k * (x - q[0])
 
 
-@dataclass(frozen=True)
+@law
 class SlowRecovery(Effect):
     """Rubber that recovers later than it gave way: a Maxwell element with tau under load and r tau after it.
 
     Source: A. N. Gent, Engineering with Rubber, 3rd ed. (2012), on creep and its incomplete recovery.
     """
 
-    family = "creep"
-    form = "slow_recovery"
     atol: ClassVar[tuple[float, ...]] = (1e-10,)
     k: float = 400.0  # N/m
     tau: float = 1.0  # s
@@ -143,7 +132,7 @@ class SlowRecovery(Effect):
         return self.k * (x - q[0])
 
 
-@dataclass(frozen=True)
+@law
 class HardeningCreep(Effect):
     """A spring k e whose dashpot hardens as it flows: q' = e/tau (x_0/(x_0 + |q|))^m, e = x - q.
 
@@ -152,8 +141,6 @@ class HardeningCreep(Effect):
     131; here with a load to the first power.
     """
 
-    family = "creep"
-    form = "strain_hardening"
     atol: ClassVar[tuple[float, ...]] = (1e-10,)
     k: float = 400.0  # N/m
     tau: float = 0.3  # s
@@ -170,7 +157,7 @@ class HardeningCreep(Effect):
         return self.k * (x - q[0])
 
 
-@dataclass(frozen=True)
+@law
 class WarmCreep(Effect):
     """A Maxwell element of rubber that flows quicker when the gas is warm: tau 10^(-c1 theta/(c2 + theta)).
 
@@ -179,8 +166,6 @@ class WarmCreep(Effect):
     Soc. 77 (1955) 3701.
     """
 
-    family = "creep"
-    form = "time_temperature"
     atol: ClassVar[tuple[float, ...]] = (1e-10,)
     k: float = 400.0  # N/m
     tau: float = 1.5  # s, at ambient temperature
@@ -197,7 +182,7 @@ class WarmCreep(Effect):
         return self.k * (x - q[0])
 
 
-@dataclass(frozen=True)
+@law
 class HoopRelaxation(Effect):
     """The bladder's hoops relax, not its length: k (c - q) dc/dx with q' = (c - q)/tau, c = D/D0 by the braid.
 
@@ -205,8 +190,6 @@ class HoopRelaxation(Effect):
     shortens. Source of the element: N. W. Tschoegl, The Phenomenological Theory of Linear Viscoelastic Behavior (1989).
     """
 
-    family = "creep"
-    form = "hoop_relaxation"
     atol: ClassVar[tuple[float, ...]] = (1e-9,)
     k: float = 2.0  # J
     tau: float = 1.5  # s
@@ -228,7 +211,7 @@ class HoopRelaxation(Effect):
         return self.k * (c - q[0]) * (self.length - x) / (c * (self.fibre_squared - self.length**2))
 
 
-@dataclass(frozen=True)
+@law
 class StretchedExponential(Effect):
     """Relaxation by exp(-(t/tau)^(1/2)), as six Maxwell elements of times u tau: weights u^(1/2) exp(-u/4).
 
@@ -236,8 +219,6 @@ class StretchedExponential(Effect):
     Lindsey, G. D. Patterson, J. Chem. Phys. 73 (1980) 3348), here in steps of 4 from 1/64 to 16.
     """
 
-    family = "creep"
-    form = "stretched_exponential"
     atol: ClassVar[tuple[float, ...]] = (1e-10,) * len(_TIMES)
     k: float = 400.0  # N/m
     tau: float = 1.0  # s

@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import sqrt
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.flow import CP, CV, GAMMA, P_ATM, RHO, T_ATM, R, mass_flow
 
 _LUMPS = 3
 
 
-@dataclass(frozen=True)
+@law
 class SideChamber(Effect):
     """A rigid side volume behind an opening, without heat exchange (states: mass, energy)."""
 
-    family = "dead_volume"
-    form = "throttled"
     atol: ClassVar[tuple[float, ...]] = (1e-12, 1e-7)
     volume: float = 1e-5  # m3
     conductance: float = 2e-9  # kg/(s Pa)
@@ -34,12 +31,10 @@ class SideChamber(Effect):
         return self.exchange(q, now.p_gauge + P_ATM, now.temperature)
 
 
-@dataclass(frozen=True)
+@law
 class CoolChamber(Effect):
     """A rigid side volume behind a wide opening whose walls keep the gas at ambient temperature (state: mass)."""
 
-    family = "dead_volume"
-    form = "isothermal"
     atol: ClassVar[tuple[float, ...]] = (1e-12,)
     volume: float = 1e-5  # m3
     conductance: float = 1e-8  # kg/(s Pa)
@@ -55,7 +50,7 @@ class CoolChamber(Effect):
         return (self.exchange(q, now.p_gauge + P_ATM, now.temperature)[0],)
 
 
-@dataclass(frozen=True)
+@law
 class Hose(Effect):
     """A soft hose as side volume, V (1 + e (p - p_atm)), behind a wide opening, without heat exchange.
 
@@ -63,8 +58,6 @@ class Hose(Effect):
     only flow changes. Hoses are sold with their expansion per pressure (SAE J1401 for those of brakes).
     """
 
-    family = "dead_volume"
-    form = "hose"
     atol: ClassVar[tuple[float, ...]] = (1e-12, 1e-7)
     volume: float = 1e-5  # m3, at ambient pressure
     expansion: float = 5e-6  # 1/Pa
@@ -94,7 +87,7 @@ class Hose(Effect):
         return self.exchange(q, now.p_gauge + P_ATM, now.temperature)
 
 
-@dataclass(frozen=True)
+@law
 class DeadEnd(Effect):
     """A rigid dead end, as the tube to a gauge, whose gas takes the wall's temperature in tau (at ambient density).
 
@@ -102,8 +95,6 @@ class DeadEnd(Effect):
     it goes on taking up gas. Source: first law for an open volume with a constant film.
     """
 
-    family = "dead_volume"
-    form = "dead_end"
     atol: ClassVar[tuple[float, ...]] = (1e-12, 1e-7)
     volume: float = 1e-5  # m3
     tau: float = 0.3  # s
@@ -123,15 +114,13 @@ class DeadEnd(Effect):
         return flow, enthalpy - cooled
 
 
-@dataclass(frozen=True)
+@law
 class OrificeChamber(Effect):
     """A rigid chamber behind a drilled hole, as the cavity of a T-piece; compressible flow, no heat exchange.
 
     States: mass, energy. Source: first law for an open volume; flow by A. de Saint-Venant and L. Wantzel (1839).
     """
 
-    family = "dead_volume"
-    form = "orifice_chamber"
     atol: ClassVar[tuple[float, ...]] = (1e-12, 1e-7)
     volume: float = 1e-5  # m3
     area: float = 3e-7  # m2, effective
@@ -150,7 +139,7 @@ class OrificeChamber(Effect):
         return self.exchange(q, now.p_gauge + P_ATM, now.temperature)
 
 
-@dataclass(frozen=True)
+@law
 class CapillaryStub(Effect):
     """A thin dead-end tube, as that to a far gauge: gas spreads along it by laminar flow, at the wall's temperature.
 
@@ -158,8 +147,6 @@ class CapillaryStub(Effect):
     Foundations of Vacuum Technique (1962), in finite volumes.
     """
 
-    family = "dead_volume"
-    form = "capillary_stub"
     atol: ClassVar[tuple[float, ...]] = (1e-12,) * _LUMPS
     volume: float = 1e-5  # m3
     conductance: float = 1e-8  # kg/(s Pa), of the whole length
@@ -183,7 +170,7 @@ class CapillaryStub(Effect):
         return tuple(a - b for a, b in zip(flows[:-1], flows[1:], strict=True))
 
 
-@dataclass(frozen=True)
+@law
 class Chamber(Effect):
     """A rigid side volume behind an opening; its gas gives ua (T - T_atm) to its wall (states: mass, energy)."""
 
@@ -208,11 +195,10 @@ class Chamber(Effect):
         return (GAMMA - 1) * q[1] / self.volume, (GAMMA - 1) * q[1] / (R * q[0])
 
 
-@dataclass(frozen=True)
+@law
 class Pocket(Effect):
     """A rigid side volume without heat exchange (states: mass, energy, then others); left to define: the flow."""
 
-    family = "dead_volume"
     volume: float = 1.5e-5  # m3
 
     def initial(self, rest: Rest) -> tuple[float, ...]:
@@ -234,14 +220,13 @@ class Pocket(Effect):
         return self.exchange(q, now.p_gauge + P_ATM, now.temperature)
 
 
-@dataclass(frozen=True)
+@law
 class TrappedPocket(Pocket):
     """A pocket behind a lip of the bladder, which opens to fill it and lets out slowly: G in, share G out.
 
     Reasoned from folds at the end plugs; any lip seal is a check valve one way.
     """
 
-    form = "trapped_pocket"
     atol: ClassVar[tuple[float, ...]] = (1e-12, 1e-7)
     conductance: float = 6e-9  # kg/(s Pa)
     share: float = 0.1
@@ -251,7 +236,7 @@ class TrappedPocket(Pocket):
         return flow if flow > 0 else self.share * flow
 
 
-@dataclass(frozen=True)
+@law
 class Resonator(Pocket):
     """A chamber behind a neck whose gas has inertia: I m' = p - p_side - m/G. Third state: the flow in the neck.
 
@@ -259,7 +244,6 @@ class Resonator(Pocket):
     Lehre von den Tonempfindungen (1863).
     """
 
-    form = "resonator"
     atol: ClassVar[tuple[float, ...]] = (1e-12, 1e-7, 1e-10)
     inertance: float = 1e5  # 1/m
     conductance: float = 2e-8  # kg/(s Pa)

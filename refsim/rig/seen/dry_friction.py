@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import exp, expm1, log1p, pi, sin, sqrt, tanh
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 
 
-@dataclass(frozen=True)
+@law
 class Stribeck(Effect):
     """Dry friction that is larger while it starts: F_c (1 + a exp(-(v/v_s)^2)) tanh(v/width)."""
 
-    family = "dry_friction"
-    form = "stribeck"
     f_c: float = 8.0  # N
     a: float = 0.4
     v_s: float = 0.01  # m/s
@@ -24,12 +21,10 @@ class Stribeck(Effect):
         return self.f_c * (1 + self.a * exp(-((v / self.v_s) ** 2))) * tanh(v / self.width)
 
 
-@dataclass(frozen=True)
+@law
 class LuGre(Effect):
     """LuGre bristles: r' = v - |v| r/(d g), force F_c (r/d + s1 r'), with g = 1 + a exp(-(v/v_s)^2)."""
 
-    family = "dry_friction"
-    form = "lugre"
     atol: ClassVar[tuple[float, ...]] = (1e-10,)
     f_c: float = 8.0  # N
     travel: float = 3e-4  # m
@@ -50,12 +45,10 @@ class LuGre(Effect):
         return self.f_c * (q[0] / self.travel + self.damping * self._rate(q[0], v))
 
 
-@dataclass(frozen=True)
+@law
 class PressedFriction(Effect):
     """Dry friction whose size grows with the pressure that presses the fibres: c (p_0 + p_gauge) tanh(v/width)."""
 
-    family = "dry_friction"
-    form = "pressed"
     c: float = 4e-5  # m2
     p_0: float = 5e4  # Pa
     width: float = 3e-4  # m/s
@@ -64,7 +57,7 @@ class PressedFriction(Effect):
         return self.c * (self.p_0 + max(p_gauge, 0.0)) * tanh(v / self.width)
 
 
-@dataclass(frozen=True)
+@law
 class BoucWen(Effect):
     """Bouc-Wen hysteresis: z' = v/d (1 - |z|^n (1 - g + g sign(v z))), force F_c z.
 
@@ -72,8 +65,6 @@ class BoucWen(Effect):
     Source: Y. K. Wen, Method for random vibration of hysteretic systems, J. Eng. Mech. Div. ASCE 102 (1976) 249.
     """
 
-    family = "dry_friction"
-    form = "bouc_wen"
     atol: ClassVar[tuple[float, ...]] = (1e-7,)
     f_c: float = 8.0  # N
     travel: float = 1e-3  # m, d
@@ -91,7 +82,7 @@ class BoucWen(Effect):
         return self.f_c * q[0]
 
 
-@dataclass(frozen=True)
+@law
 class Capstan(Effect):
     """The cord to the load runs over a fixed bar: F (1 - exp(-mu_phi tanh(v/width))) with the muscle's pull F.
 
@@ -99,8 +90,6 @@ class Capstan(Effect):
     Source: L. Euler, Remarques sur l'effet du frottement dans l'equilibre, Mem. Acad. Sci. Berlin 18 (1769) 265.
     """
 
-    family = "dry_friction"
-    form = "capstan"
     mu_phi: float = 0.1
     length: float = 0.24  # m
     fibre_squared: float = 0.0734  # m2
@@ -113,7 +102,7 @@ class Capstan(Effect):
         return -max(pull, 0.0) * expm1(-self.mu_phi * tanh(v / self.width))
 
 
-@dataclass(frozen=True)
+@law
 class AgeingContact(Effect):
     """Friction that grows with the logarithm of a contact's age: F_c (1 + b ln(1 + a/a_0)) tanh(v/width).
 
@@ -122,8 +111,6 @@ class AgeingContact(Effect):
     paper and polymers too (T. Baumberger, C. Caroli, Adv. Phys. 55 (2006) 279).
     """
 
-    family = "dry_friction"
-    form = "ageing"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     f_c: float = 8.0  # N
     b: float = 0.1
@@ -142,7 +129,7 @@ class AgeingContact(Effect):
         return self.f_c * (1 + self.b * log1p(age)) * tanh(v / self.width)
 
 
-@dataclass(frozen=True)
+@law
 class ElastoPlastic(Effect):
     """A bristle that is a spring up to its breakaway: z' = v/d (1 - alpha(z) |z|) while v loads it, else v/d; F_c z.
 
@@ -151,8 +138,6 @@ class ElastoPlastic(Effect):
     Autom. Control 47 (2002) 787.
     """
 
-    family = "dry_friction"
-    form = "elasto_plastic"
     atol: ClassVar[tuple[float, ...]] = (1e-7,)
     f_c: float = 8.0  # N
     travel: float = 1e-3  # m, d
@@ -174,7 +159,7 @@ class ElastoPlastic(Effect):
         return self.f_c * q[0]
 
 
-@dataclass(frozen=True)
+@law
 class Wiper(Effect):
     """The lip of a rod's wiper drags more one way than the other: F_c t (1 + a t), t = tanh(v/width).
 
@@ -183,8 +168,6 @@ class Wiper(Effect):
     1083.
     """
 
-    family = "dry_friction"
-    form = "wiper"
     f_c: float = 8.0  # N, mean of both ways
     a: float = 0.4
     width: float = 5e-4  # m/s
@@ -194,27 +177,7 @@ class Wiper(Effect):
         return self.f_c * t * (1 + self.a * t)
 
 
-@dataclass(frozen=True)
-class FallingFriction(Effect):
-    """A Dahl bristle whose force is larger in slow motion, by the share a exp(-(v/v_s)^2)."""
-
-    atol: ClassVar[tuple[float, ...]] = (1e-7,)
-    f_c: float = 8.0  # N
-    travel: float = 3e-4  # m
-    a: float = 0.4
-    v_s: float = 0.015  # m/s
-
-    def initial(self, rest: Rest) -> tuple[float, ...]:
-        return (0.0,)
-
-    def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        return ((now.v - abs(now.v) * q[0]) / self.travel,)
-
-    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
-        return self.f_c * q[0] * (1 + self.a * exp(-((v / self.v_s) ** 2)))
-
-
-@dataclass(frozen=True)
+@law
 class CrossingContact(Effect):
     """Dry friction where fibres cross: c p sin(2 theta_0)/sin(2 theta) tanh(v/width), theta the braid's angle.
 
@@ -223,8 +186,6 @@ class CrossingContact(Effect):
     Robot. Res. 25 (2006) 359.
     """
 
-    family = "dry_friction"
-    form = "crossing_contact"
     c: float = 6e-5  # m2, force by pressure at rest
     length: float = 0.24  # m
     fibre_squared: float = 0.0734  # m2
@@ -237,7 +198,7 @@ class CrossingContact(Effect):
         return self.c * max(p_gauge, 0.0) * rhomb * tanh(v / self.width)
 
 
-@dataclass(frozen=True)
+@law
 class CarriedPressure(Effect):
     """Only what the bladder does not carry itself presses the fibres: c P z, P = p - p_b (D/D0 - 1) where above 0.
 
@@ -245,8 +206,6 @@ class CarriedPressure(Effect):
     Chou and B. Hannaford, IEEE Trans. Robot. Autom. 12 (1996) 90, say a bladder needs to meet the braid.
     """
 
-    family = "dry_friction"
-    form = "carried_pressure"
     atol: ClassVar[tuple[float, ...]] = (1e-7,)
     c: float = 8e-5  # m2
     p_b: float = 1e5  # Pa, what the bladder needs to be twice as wide
@@ -268,7 +227,7 @@ class CarriedPressure(Effect):
         return self.c * (left + sqrt(left * left + 2.5e7)) / 2 * q[0]
 
 
-@dataclass(frozen=True)
+@law
 class BreakawayByWay(Effect):
     """A force to break away that fades with the way: F_c ((1 + a) z_1 - a z_2), bristles of travel d/4 and d.
 
@@ -276,8 +235,6 @@ class BreakawayByWay(Effect):
     friction models for automatic control, Eur. Control Conf. (1995) 3788, their second order.
     """
 
-    family = "dry_friction"
-    form = "bliman_sorine"
     atol: ClassVar[tuple[float, ...]] = (1e-7, 1e-7)
     f_c: float = 8.0  # N
     a: float = 0.6

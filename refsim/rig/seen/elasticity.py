@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import atan, exp, log, log1p, pi, sqrt
 
-from rig.effect import Effect, State
+from rig.effect import Effect, State, law
 
 _TRELOAR = (
     (6.3e5, 1.3),
@@ -15,11 +14,10 @@ _TRELOAR = (
 _TRELOAR_MODULUS = sum(mu * alpha for mu, alpha in _TRELOAR) / 2  # Pa
 
 
-@dataclass(frozen=True)
+@law
 class ExponentialSpring(Effect):
     """A spring that stiffens exponentially: F0 (exp(x/x0) - 1)."""
 
-    family = "elasticity"
     form = "exponential"
     f0: float = 5.0  # N
     x0: float = 0.04  # m
@@ -28,12 +26,10 @@ class ExponentialSpring(Effect):
         return self.f0 * (exp(x / self.x0) - 1)
 
 
-@dataclass(frozen=True)
+@law
 class ArctanSpring(Effect):
     """A spring that yields: F0 atan(x/x0)."""
 
-    family = "elasticity"
-    form = "arctan"
     f0: float = 12.0  # N
     x0: float = 0.02  # m
 
@@ -41,12 +37,10 @@ class ArctanSpring(Effect):
         return self.f0 * atan(x / self.x0)
 
 
-@dataclass(frozen=True)
+@law
 class LogSpring(Effect):
     """A spring that softens slowly: F0 ln(1 + x/x0)."""
 
-    family = "elasticity"
-    form = "logarithmic"
     f0: float = 8.0  # N
     x0: float = 0.015  # m
 
@@ -54,12 +48,10 @@ class LogSpring(Effect):
         return self.f0 * log1p(x / self.x0) if x > 0 else self.f0 * x / self.x0
 
 
-@dataclass(frozen=True)
+@law
 class LockingSpring(Effect):
     """Chains that lock: k x/(1 - (x/x_lock)^2), finite up to 0.97 x_lock."""
 
-    family = "elasticity"
-    form = "locking"
     k: float = 120.0  # N/m
     x_lock: float = 0.12  # m
 
@@ -68,7 +60,7 @@ class LockingSpring(Effect):
         return self.k * x / (1 - share * share)
 
 
-@dataclass(frozen=True)
+@law
 class BraidedTube(Effect):
     """A thin tube of rubber that follows the braid; left to define: its law."""
 
@@ -88,7 +80,7 @@ class BraidedTube(Effect):
         return pi * self.diameter * self.thickness * self.length
 
 
-@dataclass(frozen=True)
+@law
 class GentTube(BraidedTube):
     """A thin tube of Gent's rubber that follows the braid: W = -mu J/2 ln(1 - (I1 - 3)/J), by virtual work.
 
@@ -96,8 +88,6 @@ class GentTube(BraidedTube):
     Source: A. N. Gent, A new constitutive relation for rubber, Rubber Chem. Technol. 69 (1996) 59.
     """
 
-    family = "elasticity"
-    form = "gent"
     mu: float = 2.4e5  # Pa
     limit: float = 5.0  # J
 
@@ -110,7 +100,7 @@ class GentTube(BraidedTube):
         return -self.wall / self.length * self.mu / 2 * slope / (1 - used)
 
 
-@dataclass(frozen=True)
+@law
 class OgdenTube(BraidedTube):
     """A thin tube of Ogden's rubber that follows the braid: W = sum mu/alpha (a^alpha + c^alpha + (a c)^-alpha - 3).
 
@@ -118,8 +108,6 @@ class OgdenTube(BraidedTube):
     Source: R. W. Ogden, Large deformation isotropic elasticity, Proc. R. Soc. Lond. A 326 (1972) 565.
     """
 
-    family = "elasticity"
-    form = "ogden"
     modulus: float = 2.4e5  # Pa, shear modulus at rest
 
     def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
@@ -134,15 +122,13 @@ class OgdenTube(BraidedTube):
         return float(-self.wall / self.length * self.modulus / _TRELOAR_MODULUS * slope)
 
 
-@dataclass(frozen=True)
+@law
 class SlackCord(Effect):
     """An elastic cord that hangs slack at rest and comes taut at x_0, rounded over 1 mm: k (x - x_0) beyond.
 
     Return springs and safety cords are fastened with play; reasoned here.
     """
 
-    family = "elasticity"
-    form = "slack_cord"
     k: float = 400.0  # N/m
     x_0: float = 0.02  # m
     rounded: float = 1e-3  # m
@@ -152,7 +138,7 @@ class SlackCord(Effect):
         return self.k * (over + sqrt(over * over + self.rounded * self.rounded)) / 2
 
 
-@dataclass(frozen=True)
+@law
 class YeohTube(BraidedTube):
     """A thin tube of Yeoh's rubber that follows the braid: W = c1 J - r2 c1 J^2 + r3 c1 J^3, J = I1 - 3.
 
@@ -160,8 +146,6 @@ class YeohTube(BraidedTube):
     Source: O. H. Yeoh, Some forms of the strain energy function for rubber, Rubber Chem. Technol. 66 (1993) 754.
     """
 
-    family = "elasticity"
-    form = "yeoh"
     c1: float = 1.2e5  # Pa
     r2: float = 0.08
     r3: float = 0.01
@@ -176,7 +160,7 @@ class YeohTube(BraidedTube):
         )
 
 
-@dataclass(frozen=True)
+@law
 class SideSpring(Effect):
     """A spring from the load to a post beside the rig: k x (1 - l/sqrt(d^2 + x^2)).
 
@@ -185,8 +169,6 @@ class SideSpring(Effect):
     (1984).
     """
 
-    family = "elasticity"
-    form = "side_spring"
     k: float = 1000.0  # N/m
     d: float = 0.08  # m
     unstretched: float = 0.9  # l by d
@@ -195,7 +177,7 @@ class SideSpring(Effect):
         return self.k * x * (1 - self.unstretched * self.d / sqrt(self.d * self.d + x * x))
 
 
-@dataclass(frozen=True)
+@law
 class EightChain(BraidedTube):
     """A thin tube of rubber, eight chains of N links in each cell: dW/dI1 = mu/6 (3 - y^2)/(1 - y^2), y^2 = I1/(3 N).
 
@@ -204,8 +186,6 @@ class EightChain(BraidedTube):
     elastic materials, J. Mech. Phys. Solids 41 (1993) 389; A. Cohen, Rheol. Acta 30 (1991) 270.
     """
 
-    family = "elasticity"
-    form = "eight_chain"
     mu: float = 2.0e5  # Pa
     links: float = 3.0  # N
 
@@ -218,7 +198,7 @@ class EightChain(BraidedTube):
         return -self.wall / self.length * self.mu / 6 * (3 - used) / (1 - used) * slope
 
 
-@dataclass(frozen=True)
+@law
 class PrestretchedTube(BraidedTube):
     """A neo-Hookean bladder that was mounted a times longer than it lies free; by virtual work, I1 of both stretches.
 
@@ -227,8 +207,6 @@ class PrestretchedTube(BraidedTube):
     McKibben actuators, J. Mech. Des. 131 (2009) 091010, on bladders that are strained before use.
     """
 
-    family = "elasticity"
-    form = "prestretched"
     mu: float = 2.4e5  # Pa
     prestretch: float = 1.1  # a
 
@@ -239,7 +217,7 @@ class PrestretchedTube(BraidedTube):
         return -self.wall / self.prestretch / self.length * self.mu / 2 * slope
 
 
-@dataclass(frozen=True)
+@law
 class LogarithmicTube(BraidedTube):
     """A thin tube of rubber with the energy 2 mu (l (ln l - 1)) of each stretch l, by virtual work.
 
@@ -247,8 +225,6 @@ class LogarithmicTube(BraidedTube):
     extension ratios, J. Appl. Phys. 38 (1967) 2997.
     """
 
-    family = "elasticity"
-    form = "valanis_landel"
     mu: float = 2.4e5  # Pa
 
     def force(self, q: State, x: float, v: float, p_gauge: float) -> float:

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import exp, pi, sqrt
 
-from rig.effect import Effect
+from rig.effect import Effect, law
 
 
-@dataclass(frozen=True)
+@law
 class BulgingEnds(Effect):
     """The ends hold back more, the more the middle bulges: contraction counts 1 + c eps times in the force."""
 
-    family = "end_shape"
-    form = "bulging"
     c: float = 0.4
     length: float = 0.24  # m
 
@@ -21,12 +18,10 @@ class BulgingEnds(Effect):
         return 1 + self.c * x / self.length
 
 
-@dataclass(frozen=True)
+@law
 class SpreadEnds(Effect):
     """The ends spread linearly with pressure: contraction counts 1 + c (1 - p/p_0) times, at least once."""
 
-    family = "end_shape"
-    form = "spread"
     c: float = 0.15
     p_0: float = 3e5  # Pa
 
@@ -34,7 +29,7 @@ class SpreadEnds(Effect):
         return 1 + self.c * max(0.0, 1 - p_gauge / self.p_0)
 
 
-@dataclass(frozen=True)
+@law
 class LooseBladder(Effect):
     """The bladder does not fill the braid before it is pressed against it: pull times 1 - c p_0/(p_0 + p).
 
@@ -42,8 +37,6 @@ class LooseBladder(Effect):
     pull as the cylinder does; reasoned here as a share of the braid without contact that fades with pressure.
     """
 
-    family = "end_shape"
-    form = "loose_bladder"
     c: float = 0.1
     p_0: float = 5e4  # Pa
 
@@ -51,7 +44,7 @@ class LooseBladder(Effect):
         return 1 - self.c * self.p_0 / (self.p_0 + max(p_gauge, 0.0))
 
 
-@dataclass(frozen=True)
+@law
 class ConicalEnds(Effect):
     """Between fitting and cylinder the braid is a cone, the longer the thicker the muscle: pull times 1 - c (D/D0 - 1).
 
@@ -59,8 +52,6 @@ class ConicalEnds(Effect):
     Conf. Robotics and Automation (2000) 3641, whose truncated cones are taken to first order here.
     """
 
-    family = "end_shape"
-    form = "conical"
     c: float = 0.1
     length: float = 0.24  # m
     fibre_squared: float = 0.0734  # m2
@@ -71,7 +62,7 @@ class ConicalEnds(Effect):
         return 1 - self.c * (wider - 1)
 
 
-@dataclass(frozen=True)
+@law
 class BentFibres(Effect):
     """Stiff fibres bend near the clamps over sqrt(E I/tension): contraction counts 1 + c/sqrt(1 + p/p_0) times.
 
@@ -79,8 +70,6 @@ class BentFibres(Effect):
     Strength of Materials II, 1956).
     """
 
-    family = "end_shape"
-    form = "bent_fibres"
     c: float = 0.15
     p_0: float = 3e4  # Pa
 
@@ -88,7 +77,7 @@ class BentFibres(Effect):
         return 1 + self.c / sqrt(1 + max(p_gauge, 0.0) / self.p_0)
 
 
-@dataclass(frozen=True)
+@law
 class RoundedTips(Effect):
     """The tips are rounded over a length c D and do not contract: contraction counts 1/(1 - c D/L0) times.
 
@@ -96,8 +85,6 @@ class RoundedTips(Effect):
     muscles, Smart Mater. Struct. 22 (2013) 014016, on tips whose length goes with the diameter; to first order here.
     """
 
-    family = "end_shape"
-    form = "rounded_tips"
     c: float = 0.6
     length: float = 0.24  # m
     fibre_squared: float = 0.0734  # m2
@@ -109,7 +96,7 @@ class RoundedTips(Effect):
         return 1 / (1 - self.c * diameter / self.length)
 
 
-@dataclass(frozen=True)
+@law
 class UnfoldingEnds(Effect):
     """The bladder lies in folds at its ends until a pressure opens them: pull times 1 - c/(1 + exp((p - p_0)/w)).
 
@@ -117,8 +104,6 @@ class UnfoldingEnds(Effect):
     Robot. Autom. 12 (1996) 90); folds open about p_0, with w = p_0/4. Reasoned.
     """
 
-    family = "end_shape"
-    form = "unfolding"
     c: float = 0.15
     p_0: float = 6e4  # Pa
 
@@ -126,7 +111,7 @@ class UnfoldingEnds(Effect):
         return 1 - self.c / (1 + exp(min(4 * (p_gauge / self.p_0 - 1), 60.0)))
 
 
-@dataclass(frozen=True)
+@law
 class RoundCaps(Effect):
     """Both ends are half ellipsoids, c D/2 long, instead of a cylinder's: they lack c pi D^3/12 of its volume.
 
@@ -134,8 +119,6 @@ class RoundCaps(Effect):
     Trans. Robot. Autom. 12 (1996) 90, whose muscle is a cylinder; c = 1 are half balls.
     """
 
-    family = "end_shape"
-    form = "round_caps"
     c: float = 0.5
     length: float = 0.24  # m
     fibre_squared: float = 0.0734  # m2
@@ -148,7 +131,7 @@ class RoundCaps(Effect):
         return 1 - self.c * diameter * length / room
 
 
-@dataclass(frozen=True)
+@law
 class UnevenBraid(Effect):
     """Near the clamps the braid is wound steeper, by an angle, over a share of the length: two muscles in series.
 
@@ -156,8 +139,6 @@ class UnevenBraid(Effect):
     parts' lengths add up. Derived from (12) of Chou and Hannaford (1996) for each part.
     """
 
-    family = "end_shape"
-    form = "uneven_braid"
     more: float = 0.05  # rad
     share: float = 0.2
     length: float = 0.24  # m
@@ -186,7 +167,7 @@ class UnevenBraid(Effect):
         return f / max(alone, 0.2)
 
 
-@dataclass(frozen=True)
+@law
 class BridgingBladder(Effect):
     """At the ends the bladder spans the step to the fitting until pressed into it: 1 + c (D/D0 - 1)/(1 + p/p_0) times.
 
@@ -194,8 +175,6 @@ class BridgingBladder(Effect):
     ends of C.-P. Chou and B. Hannaford (1996) and the pressure in B.-S. Kang et al., IEEE ICRA (2009) 182.
     """
 
-    family = "end_shape"
-    form = "bridging_bladder"
     c: float = 0.5
     p_0: float = 1e5  # Pa
     length: float = 0.24  # m

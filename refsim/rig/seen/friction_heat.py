@@ -2,31 +2,26 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import sqrt
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 
 
-@dataclass(frozen=True)
+@law
 class RisingHeat(Effect):
     """A share of the power heats the gas while the muscle contracts; extension cools itself from outside."""
 
-    family = "friction_heat"
-    form = "contraction"
     share: float = 1.0
 
     def friction_heat(self, fibre: float, bladder: float) -> float:
         return self.share * (fibre + bladder) if bladder > 0 else 0.0
 
 
-@dataclass(frozen=True)
+@law
 class LateHeat(Effect):
     """The power of friction warms the fibres first and reaches the gas through a lag."""
 
-    family = "friction_heat"
-    form = "late"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     share: float = 1.0
     tau: float = 0.3  # s
@@ -44,7 +39,7 @@ class LateHeat(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class BladderHeat(Effect):
     """A share of what fibres lose by rubbing on the bladder heats the gas; the crossings cool outside.
 
@@ -52,15 +47,13 @@ class BladderHeat(Effect):
     both directions.
     """
 
-    family = "friction_heat"
-    form = "bladder"
     share: float = 1.0
 
     def friction_heat(self, fibre: float, bladder: float) -> float:
         return self.share * abs(bladder)
 
 
-@dataclass(frozen=True)
+@law
 class SoakedHeat(Effect):
     """What the fibres lose by rubbing, on each other and on the bladder, soaks through the bladder: two lags of tau/2.
 
@@ -68,8 +61,6 @@ class SoakedHeat(Effect):
     heats in both directions.
     """
 
-    family = "friction_heat"
-    form = "soaked"
     atol: ClassVar[tuple[float, ...]] = (1e-6, 1e-6)
     share: float = 1.0
     tau: float = 0.3  # s
@@ -87,7 +78,7 @@ class SoakedHeat(Effect):
         return q[1]
 
 
-@dataclass(frozen=True)
+@law
 class MovingContact(Effect):
     """The faster a contact moves, the less of its heat goes to the bladder: power times share/(1 + (|v|/v_0)^(1/2)).
 
@@ -96,8 +87,6 @@ class MovingContact(Effect):
     203: the partition goes with the root of the Peclet number.
     """
 
-    family = "friction_heat"
-    form = "moving_contact"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     share: float = 1.0
     v_0: float = 0.05  # m/s
@@ -116,15 +105,7 @@ class MovingContact(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
-class DissipatedHeat(Effect):
-    """All friction heats the gas, that on the bladder in extension too."""
-
-    def friction_heat(self, fibre: float, bladder: float) -> float:
-        return fibre + sqrt(bladder * bladder)
-
-
-@dataclass(frozen=True)
+@law
 class PressedContact(Effect):
     """The harder fibres are pressed on the bladder, the more of their heat goes to it: power times share p/(p + p_0).
 
@@ -133,8 +114,6 @@ class PressedContact(Effect):
     Mass Transf. 12 (1969) 279), beside a constant one to the air.
     """
 
-    family = "friction_heat"
-    form = "pressed_contact"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     share: float = 1.0
     p_0: float = 3e4  # Pa
@@ -154,7 +133,7 @@ class PressedContact(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class TwoPaths(Effect):
     """What fibres rub off the bladder reaches the gas soon, what they rub off each other behind tau.
 
@@ -162,8 +141,6 @@ class TwoPaths(Effect):
     each in one lump.
     """
 
-    family = "friction_heat"
-    form = "two_paths"
     atol: ClassVar[tuple[float, ...]] = (1e-6, 1e-6)
     share: float = 1.0
     tau: float = 0.5  # s

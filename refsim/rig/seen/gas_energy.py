@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import exp, sqrt
 from typing import ClassVar
 
 from rig.catalogue.gas_energy import EnergyGas
-from rig.effect import Effect, Now, Rest, State
-from rig.flow import GAMMA, P_ATM, T_ATM, R
+from rig.effect import Now, Rest, State, law
+from rig.flow import P_ATM, T_ATM
 
 _LATENT = 2.5e6  # J/kg
 _SETTLING = 0.05  # s, in which droplets grow or vanish
 
 
-@dataclass(frozen=True)
+@law
 class FreeConvectionGas(EnergyGas):
     """The film grows with the temperature difference: h (0.5 + 0.5 (|T - T_atm|/10 K)^(1/3))."""
-
-    form = "free_convection"
 
     def film(self, q: State, h: float, p: float, temperature: float) -> float:
         return self._through(
@@ -26,18 +23,17 @@ class FreeConvectionGas(EnergyGas):
         )
 
 
-@dataclass(frozen=True)
+@law
 class DenseGas(EnergyGas):
     """The film grows with the density: h (p/p_atm)^a."""
 
-    form = "dense"
     a: float = 0.6
 
     def film(self, q: State, h: float, p: float, temperature: float) -> float:
         return self._through(self.h * (p / P_ATM) ** self.a)
 
 
-@dataclass(frozen=True)
+@law
 class ConductiveGas(EnergyGas):
     """The film of still gas is as thick as the muscle: h D0/D (T/T_atm)^0.8. Second state: the contraction.
 
@@ -45,7 +41,6 @@ class ConductiveGas(EnergyGas):
     Source: F. P. Incropera, D. P. DeWitt, Fundamentals of Heat and Mass Transfer, chapter 8 and table A.4.
     """
 
-    form = "conductive"
     atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-8)
     length: float = 0.24  # m
     fibre_squared: float = 0.0734  # m2
@@ -62,7 +57,7 @@ class ConductiveGas(EnergyGas):
         return self._through(self.h * narrower * (temperature / T_ATM) ** 0.8)
 
 
-@dataclass(frozen=True)
+@law
 class WoschniGas(EnergyGas):
     """The film of an engine's cylinder: h (p/p_atm)^0.8 (T/T_atm)^-0.53 (1 + |w|/w_0)^0.8, w the speed of the end.
 
@@ -70,7 +65,6 @@ class WoschniGas(EnergyGas):
     Source: G. Woschni, SAE paper 670931 (1967), without the factor of the bore.
     """
 
-    form = "woschni"
     atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-8)
     w_0: float = 0.03  # m/s
 
@@ -85,7 +79,7 @@ class WoschniGas(EnergyGas):
         return self._through(self.h * (p / P_ATM) ** 0.8 * (temperature / T_ATM) ** -0.53 * stirred)
 
 
-@dataclass(frozen=True)
+@law
 class RenewedFilm(EnergyGas):
     """The film thickens by diffusion and flow renews it: h s^(-1/2) with s' = (1 - s)/tau - s |m_net|/m_0.
 
@@ -94,7 +88,6 @@ class RenewedFilm(EnergyGas):
     1460: the coefficient goes as the square root of the rate at which the surface is renewed.
     """
 
-    form = "renewed_film"
     atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-8)
     tau: float = 1.0  # s
     m_0: float = 3e-5  # kg
@@ -110,7 +103,7 @@ class RenewedFilm(EnergyGas):
         return self._through(self.h / sqrt(max(q[1], 1e-3)))
 
 
-@dataclass(frozen=True)
+@law
 class EnclosedConvection(EnergyGas):
     """Still gas conducts, warm or cold gas turns over: h (1 + ((p/p_atm)^2 |T - T_atm|/dT)^(1/4)).
 
@@ -118,7 +111,6 @@ class EnclosedConvection(EnergyGas):
     Source: S. W. Churchill, H. H. S. Chu, Int. J. Heat Mass Transf. 18 (1975) 1049, the laminar term.
     """
 
-    form = "enclosed_convection"
     difference: float = (
         20.0  # K, dT: convection then doubles what still gas of ambient pressure conducts
     )
@@ -128,7 +120,7 @@ class EnclosedConvection(EnergyGas):
         return self._through(self.h * (1 + ((p / P_ATM) ** 2 * away / self.difference) ** 0.25))
 
 
-@dataclass(frozen=True)
+@law
 class DecayingTurbulence(EnergyGas):
     """Flow in or out makes turbulence, which decays by itself: u' = b |m_net| - u^2/l; film h + h_1 (u/1 m/s)^0.8.
 
@@ -136,7 +128,6 @@ class DecayingTurbulence(EnergyGas):
     (1972), section 3.2, on the decay; the exponent is that of turbulent flow over walls.
     """
 
-    form = "turbulence"
     atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-7)
     h_1: float = 15.0  # W/(m2 K)
     eddy: float = 0.02  # m, l
@@ -152,7 +143,7 @@ class DecayingTurbulence(EnergyGas):
         return self._through(self.h + self.h_1 * (q[1] ** 2 + 1e-8) ** 0.4)
 
 
-@dataclass(frozen=True)
+@law
 class GasSpring(EnergyGas):
     """Heat leads the temperature: K (T_w - T) + c K (T_b - T), where gas near the wall follows, T_b' = (T - T_b)/tau.
 
@@ -161,7 +152,6 @@ class GasSpring(EnergyGas):
     Technol. 115 (1993) 70, whose complex Nusselt number is this for one time constant.
     """
 
-    form = "gas_spring"
     atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-6)
     c: float = 1.0
     tau: float = 0.3  # s
@@ -179,47 +169,7 @@ class GasSpring(EnergyGas):
         return (outside + self.c * q[1]) / (1 + self.c)
 
 
-@dataclass(frozen=True)
-class FilmGas(Effect):
-    """Mass and energy balance; the film is h (p/p_atm)^a + h_1 (|m_jet|/0.1 g/s)^k, the jet dies away in tau.
-
-    With a second virial coefficient b [m3/kg] the temperature is that of p V = m (R T + b p). The enthalpy is gamma u,
-    with the internal energy u = p v/(gamma - 1).
-    """
-
-    energy_balance: ClassVar[bool] = True
-    atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-10)
-    h: float = 15.0  # W/(m2 K)
-    a: float = 0.5
-    h_1: float = 30.0  # W/(m2 K)
-    k: float = 0.8
-    tau: float = 0.05  # s
-    b: float = 0.0
-    wall: float = 1.8e-3  # m2 K/W, t/k
-
-    def initial(self, rest: Rest) -> tuple[float, ...]:
-        return rest.gas_mass / (1 + self.b * P_ATM / (R * T_ATM)), 0.0
-
-    def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        return now.net_mass_flow, (now.net_mass_flow - q[1]) / self.tau
-
-    def temperature(self, q: State, pressure_volume: float, polytropic: float) -> float:
-        p = (
-            P_ATM * (polytropic / T_ATM) ** 6
-        )  # the rig's polytropic law backwards, its exponent is 1.2
-        return (pressure_volume / q[0] - self.b * p) / R
-
-    def enthalpy_beyond(self, p: float) -> float:
-        return GAMMA / (GAMMA - 1) * self.b * p
-
-    def film(self, q: State, h: float, p: float, temperature: float) -> float:
-        film = self.h * (p / P_ATM) ** self.a + self.h_1 * ((q[1] ** 2 + 1e-16) / 1e-8) ** (
-            self.k / 2
-        )
-        return float(1 / (2 / film + self.wall))
-
-
-@dataclass(frozen=True)
+@law
 class InletJet(EnergyGas):
     """The inlet's jet stirs the gas and venting does not: h + h_1 (m_jet/0.1 g/s)^(2/3), where it dies away in tau.
 
@@ -227,7 +177,6 @@ class InletJet(EnergyGas):
     Heat Transf. 13 (1977) 1, with exponents about 2/3.
     """
 
-    form = "inlet_jet"
     atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-10)
     h_1: float = 30.0  # W/(m2 K)
     tau: float = 0.1  # s
@@ -242,14 +191,13 @@ class InletJet(EnergyGas):
         return self._through(self.h + self.h_1 * ((q[1] ** 2 + 1e-16) / 1e-8) ** (1 / 3))
 
 
-@dataclass(frozen=True)
+@law
 class EndPlates(EnergyGas):
     """Heat goes through the wall and, besides, into the metal end plugs, which stay at ambient temperature.
 
     The plugs' conductance does not change with contraction. Source: first law with two paths of heat.
     """
 
-    form = "end_plates"
     plates: float = 0.03  # W/K
 
     def film(self, q: State, h: float, p: float, temperature: float) -> float:
@@ -259,7 +207,7 @@ class EndPlates(EnergyGas):
         return 0.0, self.plates * (temperature - T_ATM)
 
 
-@dataclass(frozen=True)
+@law
 class FoggingGas(EnergyGas):
     """Air with some water: what is beyond saturation becomes fog in 50 ms, and its latent heat warms the gas.
 
@@ -267,7 +215,6 @@ class FoggingGas(EnergyGas):
     of the balance: R. R. Rogers, M. K. Yau, A Short Course in Cloud Physics (1989), chapter 2.
     """
 
-    form = "fogging"
     atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-9)
     water: float = 3e-3  # kg by kg of gas
 

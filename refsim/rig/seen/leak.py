@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import exp, log, pi, sqrt
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.flow import CP, P_ATM, T_ATM, R, mass_flow
 
 
-@dataclass(frozen=True)
+@law
 class TurbulentLeak(Effect):
     """Gas lost through a rough crack: c sqrt(p_gauge), linear below 2 kPa."""
 
-    family = "leak"
-    form = "turbulent"
     c: float = 6e-9  # kg/(s Pa^1/2)
 
     def leak(self, p: float, temperature: float) -> float:
@@ -23,24 +20,20 @@ class TurbulentLeak(Effect):
         return self.c * gauge / sqrt(sqrt(gauge * gauge + 4e6))
 
 
-@dataclass(frozen=True)
+@law
 class SquaredLeak(Effect):
     """Gas lost through a capillary: c (p^2 - p_atm^2)."""
 
-    family = "leak"
-    form = "squared"
     c: float = 4e-17  # kg/(s Pa2)
 
     def leak(self, p: float, temperature: float) -> float:
         return self.c * (p * p - P_ATM * P_ATM)
 
 
-@dataclass(frozen=True)
+@law
 class LiftingLeak(Effect):
     """A seal that lifts at a pressure: G (p_gauge - p_0), rounded over 5 kPa."""
 
-    family = "leak"
-    form = "lifting"
     conductance: float = 4e-11  # kg/(s Pa)
     p_0: float = 6e4  # Pa
 
@@ -49,15 +42,13 @@ class LiftingLeak(Effect):
         return self.conductance * (over + sqrt(over * over + 2.5e7)) / 2
 
 
-@dataclass(frozen=True)
+@law
 class LipSeal(Effect):
     """A lip that pressure presses shut: G p_gauge exp(-p_gauge/p_0), so that most is lost at middling pressure.
 
     Reasoned from self-energised seals, whose contact pressure rises with the pressure that they hold.
     """
 
-    family = "leak"
-    form = "lip_seal"
     conductance: float = 6e-11  # kg/(s Pa)
     p_0: float = 6e4  # Pa
 
@@ -66,11 +57,10 @@ class LipSeal(Effect):
         return self.conductance * gauge * exp(-max(gauge, 0.0) / self.p_0)
 
 
-@dataclass(frozen=True)
+@law
 class StretchedLeak(Effect):
     """A leak that depends on the contraction, its state; left to define: the flow."""
 
-    family = "leak"
     atol: ClassVar[tuple[float, ...]] = (1e-8,)
 
     def initial(self, rest: Rest) -> tuple[float, ...]:
@@ -88,14 +78,13 @@ class StretchedLeak(Effect):
         raise NotImplementedError
 
 
-@dataclass(frozen=True)
+@law
 class StretchedPores(StretchedLeak):
     """Pores of the bladder that open as it is stretched: laminar, G p_gauge exp(x/x_0). State: the contraction.
 
     A pore's conductance goes as the fourth power of its width (Poiseuille), and contraction stretches the hoops.
     """
 
-    form = "stretched_pores"
     conductance: float = 6e-12  # kg/(s Pa)
     x_0: float = 0.02  # m
 
@@ -103,7 +92,7 @@ class StretchedPores(StretchedLeak):
         return self.conductance * gauge * exp(min(x / self.x_0, 8.0))
 
 
-@dataclass(frozen=True)
+@law
 class WideningGap(Effect):
     """A narrow gap that pressure pushes apart: G p_gauge (1 + p_gauge/p_0)^3.
 
@@ -111,8 +100,6 @@ class WideningGap(Effect):
     gives way in proportion to pressure.
     """
 
-    family = "leak"
-    form = "widening_gap"
     conductance: float = 6e-12  # kg/(s Pa)
     p_0: float = 2e5  # Pa
 
@@ -121,14 +108,13 @@ class WideningGap(Effect):
         return self.conductance * gauge * (1 + max(gauge, 0.0) / self.p_0) ** 3
 
 
-@dataclass(frozen=True)
+@law
 class PulledCrimp(StretchedLeak):
     """A crimped end that leaks as the bladder is pulled out of it: G p_gauge F/F_0 with the muscle's pull F.
 
     State: the contraction. Reasoned: the pull takes away some of the crimp's contact pressure.
     """
 
-    form = "pulled_crimp"
     conductance: float = 2e-11  # kg/(s Pa)
     length: float = 0.24  # m
     fibre_squared: float = 0.0734  # m2
@@ -141,7 +127,7 @@ class PulledCrimp(StretchedLeak):
         return self.conductance * gauge * max(pull, 0.0) / self.f_0
 
 
-@dataclass(frozen=True)
+@law
 class CutBladder(StretchedLeak):
     """A cut along the bladder gapes with the hoop stress: an orifice of area A p_gauge/1 bar (D/D0)^2 L/L0.
 
@@ -150,7 +136,6 @@ class CutBladder(StretchedLeak):
     contraction.
     """
 
-    form = "cut"
     area: float = 5e-9  # m2, at 1 bar and rest
     length: float = 0.24  # m
     fibre_squared: float = 0.0734  # m2
@@ -163,15 +148,13 @@ class CutBladder(StretchedLeak):
         return flow, CP * flow * temperature
 
 
-@dataclass(frozen=True)
+@law
 class Labyrinth(Effect):
     """A leak along the thread of a fitting: A sqrt((p^2 - p_atm^2)/(R T (n + ln(p/p_atm)))), n turns in series.
 
     Linear below 1 kPa. Source: H. M. Martin, Labyrinth packings, Engineering 85 (1908) 35.
     """
 
-    family = "leak"
-    form = "labyrinth"
     area: float = 1e-8  # m2
     n: float = 5.0
 
@@ -182,12 +165,10 @@ class Labyrinth(Effect):
         return self.area * root / sqrt(R * temperature * (self.n + log(max(p / P_ATM, 0.5))))
 
 
-@dataclass(frozen=True)
+@law
 class PressedLip(Effect):
     """A leak past a lip that the pressure presses shut, so that most is lost at 40 kPa: a leak of no listed form."""
 
-    family = "leak"
-    form = "pressed_lip"
     conductance: float = 8e-10  # kg/(s.Pa), without pressure
     p_0: float = 4e4  # Pa
 
@@ -196,11 +177,10 @@ class PressedLip(Effect):
         return self.conductance * gauge * exp(-max(gauge, 0.0) / self.p_0)
 
 
-@dataclass(frozen=True)
+@law
 class ChangingLeak(Effect):
     """A laminar leak whose conductance follows a state of its own; left to define: by how much, and its rate."""
 
-    family = "leak"
     conductance: float = 2e-11  # kg/(s Pa)
 
     def factor(self, q: State) -> float:
@@ -212,14 +192,13 @@ class ChangingLeak(Effect):
         return flow, CP * flow * (temperature if flow > 0 else T_ATM)
 
 
-@dataclass(frozen=True)
+@law
 class MovingSeal(ChangingLeak):
     """A seal that rides up on a film while it slides: G p (1 + (|v|/v_0)^(1/2)). State: the speed behind 5 ms.
 
     Source: H. K. Mueller, B. S. Nau, Fluid Sealing Technology (1998): the film goes with the root of speed.
     """
 
-    form = "moving_seal"
     atol: ClassVar[tuple[float, ...]] = (1e-8,)
     v_0: float = 5e-3  # m/s
 
@@ -233,14 +212,13 @@ class MovingSeal(ChangingLeak):
         return float(1 + ((q[0] * q[0] + 1e-10) ** 0.5 / self.v_0) ** 0.5)
 
 
-@dataclass(frozen=True)
+@law
 class CreepingSeal(ChangingLeak):
     """A soft seal that creeps into its gap under pressure and out again: G p s, s' = (1/(1 + p/p_0) - s)/tau.
 
     Reasoned from the set of rubber seals (A. N. Gent, Engineering with Rubber, 3rd ed., 2012).
     """
 
-    form = "creeping_seal"
     atol: ClassVar[tuple[float, ...]] = (1e-7,)
     p_0: float = 4e4  # Pa
     tau: float = 1.5  # s
@@ -255,7 +233,7 @@ class CreepingSeal(ChangingLeak):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class ColdSeal(Effect):
     """A seal that shrinks more than its groove when the gas is cold: G p exp(-(T - T_atm)/theta_0).
 
@@ -263,8 +241,6 @@ class ColdSeal(Effect):
     Phil. Trans. R. Soc. 177 (1886) 157); the exponential is reasoned. The exponent stays within 3.
     """
 
-    family = "leak"
-    form = "cold_seal"
     conductance: float = 2e-11  # kg/(s Pa)
     theta_0: float = 12.0  # K
 

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from math import cos, pi, sqrt, tanh
+from math import pi, sqrt, tanh
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
-from rig.flow import G
+from rig.effect import Effect, Now, Rest, State, law
 
 
-@dataclass(frozen=True)
+@law
 class Counterweight(Effect):
     """A mass over a pulley that pulls up with a part of the weight that it has inertia: m with net weight w m."""
 
-    family = "moving_mass"
-    form = "counterweight"
     m: float = 1.5  # kg
     w: float = 0.25
 
@@ -26,12 +22,10 @@ class Counterweight(Effect):
         return (1 - self.w) * self.m
 
 
-@dataclass(frozen=True)
+@law
 class Lever(Effect):
     """A balanced lever whose ratio changes: inertia m(x) = m (1 + x/x_0) and the force m' v^2/2 that goes with it."""
 
-    family = "moving_mass"
-    form = "lever"
     m: float = 2.0  # kg
     x_0: float = 0.05  # m
 
@@ -42,15 +36,13 @@ class Lever(Effect):
         return self.m / self.x_0 * v * v / 2 if x > 0 else 0.0
 
 
-@dataclass(frozen=True)
+@law
 class Rocker(Effect):
     """A balanced rocker arm of radius r whose end the load moves along a line: inertia m/(1 - (x/r)^2).
 
     The arm's angle is asin(x/r), its energy m r^2 angle'^2/2; the force m'(x) v^2/2 goes with it (Lagrange).
     """
 
-    family = "moving_mass"
-    form = "rocker"
     m: float = 3.0  # kg, the arm's moment of inertia over r^2
     radius: float = 0.15  # m
 
@@ -65,15 +57,13 @@ class Rocker(Effect):
         return self.m * x / (self.radius * room) ** 2 * v * v if room > 0.1 else 0.0
 
 
-@dataclass(frozen=True)
+@law
 class SlippingFlywheel(Effect):
     """A pulley of inertia m that the cord drags along with viscous slip: force m (v - w)/tau with w' = (v - w)/tau.
 
     Slow movements carry it in full, quick ones slip over it.
     """
 
-    family = "moving_mass"
-    form = "slipping_flywheel"
     atol: ClassVar[tuple[float, ...]] = (1e-9,)
     m: float = 3.0  # kg, moment of inertia over radius squared
     tau: float = 0.03  # s
@@ -88,15 +78,13 @@ class SlippingFlywheel(Effect):
         return self.m * (v - q[0]) / self.tau
 
 
-@dataclass(frozen=True)
+@law
 class BeltedFlywheel(Effect):
     """A balanced flywheel behind an elastic belt, far above the movements that it is to follow.
 
     States: the flywheel's place [m] and speed [m/s] along the belt.
     """
 
-    family = "moving_mass"
-    form = "belted_flywheel"
     atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-8)
     m: float = 3.0  # kg, moment of inertia over radius squared
     frequency: float = 12.0  # Hz, of the flywheel on the held belt
@@ -113,15 +101,13 @@ class BeltedFlywheel(Effect):
         return q[1], self.force(q, now.x, now.v, now.p_gauge) / self.m
 
 
-@dataclass(frozen=True)
+@law
 class WindingDrum(Effect):
     """The cord turns a drum and winds up on it in layers, so that the radius grows: inertia m/(1 + x/x_0)^2.
 
     The force m'(x) v^2/2 goes with it (Lagrange).
     """
 
-    family = "moving_mass"
-    form = "winding_drum"
     m: float = 3.0  # kg, moment of inertia over the square of the bare drum's radius
     x_0: float = 0.1  # m
 
@@ -132,15 +118,13 @@ class WindingDrum(Effect):
         return -self.m / self.x_0 * v * v / (1 + x / self.x_0) ** 3
 
 
-@dataclass(frozen=True)
+@law
 class SideSled(Effect):
     """A sled on a level rail d beside the way, drawn along it by a cord: inertia m (a + x)^2/(d^2 + (a + x)^2).
 
     The cord's length sqrt(d^2 + (a + x)^2) grows with the load's way; the force m'(x) v^2/2 goes with it (Lagrange).
     """
 
-    family = "moving_mass"
-    form = "side_sled"
     m: float = 4.0  # kg
     a: float = 0.04  # m
     d: float = 0.08  # m
@@ -153,47 +137,7 @@ class SideSled(Effect):
         return self.m * (self.a + x) * self.d**2 / (self.d**2 + (self.a + x) ** 2) ** 2 * v * v
 
 
-@dataclass(frozen=True)
-class WeightedLever(Effect):
-    """A mass on a lever of the ratio 1 + x/x_0: inertia m (1 + x/x_0)^2, weight in proportion to the ratio."""
-
-    m: float = 3.0  # kg
-    x_0: float = 0.08  # m
-    share: float = 0.3  # of the weight, the rest is balanced
-
-    def balanced_mass(self, x: float) -> float:
-        return self.m * self._ratio(x) ** 2
-
-    def resting_mass(self) -> float:
-        return self.share * self.m
-
-    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
-        inertial = self.m * self._ratio(x) / self.x_0 * v * v if x > 0 else 0.0
-        return inertial + self.share * self.m * G * self._ratio(x)
-
-    def _ratio(self, x: float) -> float:
-        return 1 + max(x, 0.0) / self.x_0
-
-
-@dataclass(frozen=True)
-class Arm(Effect):
-    """A weight on an arm that turns by x/r: constant inertia, weight by the cosine of its angle."""
-
-    m: float = 2.0  # kg
-    r: float = 0.1  # m
-    angle: float = -0.2  # rad, at the start
-
-    def balanced_mass(self, x: float) -> float:
-        return self.m
-
-    def resting_mass(self) -> float:
-        return 0.5 * self.m * cos(self.angle)
-
-    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
-        return 0.5 * self.m * G * cos(self.angle + max(x, 0.0) / self.r)
-
-
-@dataclass(frozen=True)
+@law
 class OwnWall(Effect):
     """The muscle's own wall moves along and outward: inertia m (1/3 + r'(x)^2), half of its weight.
 
@@ -201,8 +145,6 @@ class OwnWall(Effect):
     radius; the force m'(x) v^2/2 goes with it (Lagrange). Source: J. W. Strutt, The Theory of Sound I (1877).
     """
 
-    family = "moving_mass"
-    form = "own_wall"
     m: float = 0.3  # kg
     length: float = 0.24  # m
     fibre_squared: float = 0.0734  # m2
@@ -226,7 +168,7 @@ class OwnWall(Effect):
         return self.m * slope * curvature * v * v
 
 
-@dataclass(frozen=True)
+@law
 class Crank(Effect):
     """A balanced flywheel that the load turns by a crank: inertia m/sin^2(phi), a + x = r (1 - cos(phi)).
 
@@ -234,8 +176,6 @@ class Crank(Effect):
     Scotch yoke, e.g. J. E. Shigley, J. J. Uicker, Theory of Machines and Mechanisms (1995).
     """
 
-    family = "moving_mass"
-    form = "crank"
     m: float = 2.0  # kg, moment of inertia over r^2
     radius: float = 0.1  # m
     a: float = 0.02  # m, from the dead centre at rest
@@ -253,15 +193,13 @@ class Crank(Effect):
         return -self.m * u / self.radius / room**2 * v * v if room > 0.1 else 0.0
 
 
-@dataclass(frozen=True)
+@law
 class Freewheel(Effect):
     """A flywheel behind a freewheel: it is taken along up, force m e/tau for e = v - w > 0, and then turns by itself.
 
     w' = e/tau - w/coast for e > 0, else without the first; rounded over 1 mm/s. Reasoned from the overrunning clutch.
     """
 
-    family = "moving_mass"
-    form = "freewheel"
     atol: ClassVar[tuple[float, ...]] = (1e-9,)
     m: float = 3.0  # kg, moment of inertia over radius squared
     tau: float = 0.02  # s

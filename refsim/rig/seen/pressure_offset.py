@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import asinh, exp, pi, sin, sinh, sqrt
 
-from rig.effect import Effect, State
+from rig.effect import Effect, State, law
 
 
-@dataclass(frozen=True)
+@law
 class OffsetAndGain(Effect):
     """The pressure reading has an offset and a gain, so that it is right at p_0."""
 
-    family = "pressure_offset"
-    form = "offset_and_gain"
     gain: float = 1.05
     p_0: float = 8e4  # Pa
 
@@ -21,12 +18,10 @@ class OffsetAndGain(Effect):
         return p_gauge + (self.gain - 1) * (p_gauge - self.p_0)
 
 
-@dataclass(frozen=True)
+@law
 class CurvedPressure(Effect):
     """The pressure reading has an offset and sags in the middle: offset (1 + c (p/p_0)^2)."""
 
-    family = "pressure_offset"
-    form = "curved"
     offset: float = 3e3  # Pa
     c: float = 1.0
     p_0: float = 2e5  # Pa
@@ -35,12 +30,10 @@ class CurvedPressure(Effect):
         return p_gauge + self.offset * (1 + self.c * (p_gauge / self.p_0) ** 2)
 
 
-@dataclass(frozen=True)
+@law
 class SaturatingPressure(Effect):
     """The pressure reading is off by an offset that fades as the pressure rises: offset exp(-p/p_0)."""
 
-    family = "pressure_offset"
-    form = "fading"
     offset: float = 5e3  # Pa
     p_0: float = 2e5  # Pa
 
@@ -48,7 +41,7 @@ class SaturatingPressure(Effect):
         return p_gauge + self.offset * exp(-p_gauge / self.p_0)
 
 
-@dataclass(frozen=True)
+@law
 class StiffeningDiaphragm(Effect):
     """The transducer's diaphragm stiffens: it shows r where p = r + c r^3/p_0^2, so that high pressures read low.
 
@@ -56,8 +49,6 @@ class StiffeningDiaphragm(Effect):
     of a clamped plate has a linear and a cubic term.
     """
 
-    family = "pressure_offset"
-    form = "stiffening"
     c: float = 0.05
     p_0: float = 1.5e5  # Pa
 
@@ -67,15 +58,13 @@ class StiffeningDiaphragm(Effect):
         return scale * sinh(asinh(3 * p_gauge / (scale)) / 3)
 
 
-@dataclass(frozen=True)
+@law
 class BowedManometer(Effect):
     """The transducer is adjusted at both ends of its range and off in between: p + 4 bow p/p_fs (1 - p/p_fs).
 
     Source: IEC 61298-2, on terminal-based conformity, in which data sheets state non-linearity.
     """
 
-    family = "pressure_offset"
-    form = "bowed"
     bow: float = 3e3  # Pa
     p_fs: float = 3e5  # Pa, full scale
 
@@ -84,7 +73,7 @@ class BowedManometer(Effect):
         return p_gauge + 4 * self.bow * share * (1 - share)
 
 
-@dataclass(frozen=True)
+@law
 class UnbalancedBridge(Effect):
     """A strain-gauge bridge with one active arm, adjusted for small pressures: it shows p/(1 + c p/p_fs).
 
@@ -92,8 +81,6 @@ class UnbalancedBridge(Effect):
     quarter bridge: V = e/(4 + 2 e).
     """
 
-    family = "pressure_offset"
-    form = "bridge"
     c: float = 0.03
     p_fs: float = 3e5  # Pa, full scale
 
@@ -101,15 +88,13 @@ class UnbalancedBridge(Effect):
         return p_gauge / (1 + self.c * p_gauge / self.p_fs)
 
 
-@dataclass(frozen=True)
+@law
 class RestingPointer(Effect):
     """A gauge that was set to zero against its stop: off by a constant once it has left it, offset (1 - exp(-p/p_0)).
 
     Source: pressure gauges with a stop pin, whose zero says nothing of their offset (EN 837-1).
     """
 
-    family = "pressure_offset"
-    form = "resting_pointer"
     offset: float = 4e3  # Pa
     p_0: float = 2e4  # Pa
 
@@ -117,15 +102,13 @@ class RestingPointer(Effect):
         return p_gauge - self.offset * (1 - exp(-max(p_gauge, -1e4) / self.p_0))
 
 
-@dataclass(frozen=True)
+@law
 class WrongKnot(Effect):
     """A scaling table with a wrong upper part: the gain is 1 + c above p_k, rounded over 3 kPa.
 
     Reasoned from transmitters that are scaled by a table of points.
     """
 
-    family = "pressure_offset"
-    form = "wrong_knot"
     c: float = 0.08
     p_k: float = 8e4  # Pa
 
@@ -134,15 +117,13 @@ class WrongKnot(Effect):
         return p_gauge + self.c * (over + sqrt(over * over + 9e6)) / 2
 
 
-@dataclass(frozen=True)
+@law
 class EccentricPointer(Effect):
     """A dial that is not centred on its pointer, read by eye or camera: p + size (sin(phi + phi_0) - sin(phi_0)).
 
     phi runs over three quarters of a turn to full scale. Reasoned from the error of eccentricity of divided circles.
     """
 
-    family = "pressure_offset"
-    form = "eccentric_pointer"
     size: float = 3e3  # Pa
     phi_0: float = 1.0  # rad
     p_fs: float = 2.5e5  # Pa, full scale

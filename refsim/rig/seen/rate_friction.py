@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import asinh, exp, sqrt
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.flow import T_ATM
 
 
-@dataclass(frozen=True)
+@law
 class Eyring(Effect):
     """Friction that saturates: c v_0 asinh(v/v_0)."""
 
-    family = "rate_friction"
-    form = "eyring"
     c: float = 500.0  # N s/m
     v_0: float = 0.01  # m/s
 
@@ -23,12 +20,10 @@ class Eyring(Effect):
         return self.c * self.v_0 * asinh(v / self.v_0)
 
 
-@dataclass(frozen=True)
+@law
 class GrowingViscous(Effect):
     """Viscous friction that grows with contraction: c v (1 + x/x_0)."""
 
-    family = "rate_friction"
-    form = "growing"
     c: float = 120.0  # N s/m
     x_0: float = 0.02  # m
 
@@ -36,12 +31,10 @@ class GrowingViscous(Effect):
         return self.c * v * (1 + max(x, 0.0) / self.x_0)
 
 
-@dataclass(frozen=True)
+@law
 class OneSidedViscous(Effect):
     """A damper that works mainly in contraction: c v, and share c v in extension."""
 
-    family = "rate_friction"
-    form = "one_sided"
     c: float = 300.0  # N s/m
     share: float = 0.3
 
@@ -49,7 +42,7 @@ class OneSidedViscous(Effect):
         return self.c * v * (1.0 if v > 0 else self.share)
 
 
-@dataclass(frozen=True)
+@law
 class FilmFriction(Effect):
     """Fibres that slide on a film of grease: c sqrt(p |v|) sign v, smooth below 1 mm/s.
 
@@ -58,8 +51,6 @@ class FilmFriction(Effect):
     Source: B. J. Hamrock, S. R. Schmid, B. O. Jacobson, Fundamentals of Fluid Film Lubrication, 2nd ed. (2004).
     """
 
-    family = "rate_friction"
-    form = "film"
     c: float = 0.12  # N/sqrt(Pa m/s)
     eps: float = 1e-3  # m/s
 
@@ -67,12 +58,10 @@ class FilmFriction(Effect):
         return self.c * sqrt(max(p_gauge, 0.0)) * v / sqrt(sqrt(v * v + self.eps * self.eps))
 
 
-@dataclass(frozen=True)
+@law
 class OrificeDamper(Effect):
     """A dashpot whose oil is pressed through a hole: c v (1 + |v|/v_0), the square from the oil's inertia."""
 
-    family = "rate_friction"
-    form = "orifice_damper"
     c: float = 100.0  # N s/m
     v_0: float = 0.02  # m/s
 
@@ -80,15 +69,13 @@ class OrificeDamper(Effect):
         return self.c * v * (1 + abs(v) / self.v_0)
 
 
-@dataclass(frozen=True)
+@law
 class EddyBrake(Effect):
     """A geared eddy-current brake: c v/(1 + (v/v_k)^2), which brakes most at its critical speed v_k.
 
     Source: W. R. Smythe, On eddy currents in a rotating disk, Trans. AIEE 61 (1942) 681.
     """
 
-    family = "rate_friction"
-    form = "eddy_brake"
     c: float = 300.0  # N s/m
     v_k: float = 0.08  # m/s
 
@@ -96,15 +83,13 @@ class EddyBrake(Effect):
         return self.c * v / (1 + (v / self.v_k) ** 2)
 
 
-@dataclass(frozen=True)
+@law
 class ShearedMatrix(Effect):
     """A braid in a soft viscous matrix, which its fibres shear as they turn: c v/sin^2 of the braid angle.
 
     The fibres turn by v/(b sin), and the work on the matrix goes with the square of that. Derived by virtual power.
     """
 
-    family = "rate_friction"
-    form = "sheared_matrix"
     c: float = 60.0  # N s/m
     length: float = 0.24  # m
     fibre_squared: float = 0.0734  # m2
@@ -113,7 +98,7 @@ class ShearedMatrix(Effect):
         return self.c * v / (1 - (self.length - x) ** 2 / self.fibre_squared)
 
 
-@dataclass(frozen=True)
+@law
 class ThixotropicGrease(Effect):
     """Grease that breaks down when sheared and sets again at rest: c v (r + (1 - r) s), s' = (1 - s)/tau - s |v|/d.
 
@@ -121,8 +106,6 @@ class ThixotropicGrease(Effect):
     N. J. Wagner, Thixotropy, Adv. Colloid Interface Sci. 147 (2009) 214.
     """
 
-    family = "rate_friction"
-    form = "thixotropic"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     c: float = 400.0  # N s/m, of grease that has set
     r: float = 0.3
@@ -139,7 +122,7 @@ class ThixotropicGrease(Effect):
         return self.c * v * (self.r + (1 - self.r) * q[0])
 
 
-@dataclass(frozen=True)
+@law
 class ViscousBladder(Effect):
     """The bladder's rubber is viscous beside its springiness (Kelvin-Voigt) and follows the braid.
 
@@ -148,8 +131,6 @@ class ViscousBladder(Effect):
     Introduction to Fluid Dynamics (1967), section 3.4.
     """
 
-    family = "rate_friction"
-    form = "viscous_bladder"
     eta: float = 1e5  # Pa s
     wall: float = 3.8e-6  # m3, volume of the rubber
     length: float = 0.24  # m
@@ -162,27 +143,13 @@ class ViscousBladder(Effect):
         return 4 * self.eta * self.wall * v * (along * along + around * around + along * around)
 
 
-@dataclass(frozen=True)
-class GrowingDamper(Effect):
-    """Friction c v (1 + x/x_0), in extension a share of it."""
-
-    c: float = 120.0  # N s/m
-    x_0: float = 0.02  # m
-    back: float = 1.0
-
-    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
-        return self.c * v * (1 + max(x, 0.0) / self.x_0) * (1.0 if v > 0 else self.back)
-
-
-@dataclass(frozen=True)
+@law
 class ThinningOil(Effect):
     """A dashpot of silicone oil, which thins when sheared: c v (1 + (v/v_0)^2)^((n - 1)/2).
 
     Source: P. J. Carreau, Rheological equations from molecular network theories, Trans. Soc. Rheol. 16 (1972) 99.
     """
 
-    family = "rate_friction"
-    form = "carreau"
     c: float = 400.0  # N s/m
     v_0: float = 0.02  # m/s
     n: float = 0.5
@@ -191,7 +158,7 @@ class ThinningOil(Effect):
         return float(self.c * v * (1 + (v / self.v_0) ** 2) ** ((self.n - 1) / 2))
 
 
-@dataclass(frozen=True)
+@law
 class WarmGrease(Effect):
     """Grease between the fibres that thins as the gas warms the bladder: c v exp(-theta/theta_0).
 
@@ -199,8 +166,6 @@ class WarmGrease(Effect):
     (1886) 157, on viscosity by temperature.
     """
 
-    family = "rate_friction"
-    form = "warm_grease"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     c: float = 300.0  # N s/m, at ambient temperature
     theta_0: float = 10.0  # K
@@ -216,7 +181,7 @@ class WarmGrease(Effect):
         return self.c * v * exp(min(max(-q[0] / self.theta_0, -3.0), 3.0))
 
 
-@dataclass(frozen=True)
+@law
 class TurningCrossings(Effect):
     """Greased crossings, which pressure presses together, turn on each other: c p v sin^2(theta_0)/sin^2(theta).
 
@@ -224,8 +189,6 @@ class TurningCrossings(Effect):
     virtual power; the pressure as in D. Reynolds et al., Ann. Biomed. Eng. 31 (2003) 310, whose damping goes with it.
     """
 
-    family = "rate_friction"
-    form = "turning_crossings"
     c: float = 3e-3  # N s/(m Pa), at rest
     length: float = 0.24  # m
     fibre_squared: float = 0.0734  # m2

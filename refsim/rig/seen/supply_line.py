@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import sqrt
 from typing import ClassVar
 
 from rig.catalogue.supply_line import OrificeTube, Tube
-from rig.effect import LineEffect, Rest, State
+from rig.effect import LineEffect, Rest, State, law
 from rig.flow import CP, CV, GAMMA, P_ATM, RHO, T_ATM, R
 
 
-@dataclass(frozen=True)
+@law
 class TurbulentTube(Tube):
     """Rough turbulent flow: c sqrt(p_a^2 - p_b^2), linear below a drop of 0.1 % of the pressure."""
 
-    form = "turbulent"
     c: float = 1e-9  # kg/(s Pa)
 
     def flow(self, p_a: float, t_a: float, p_b: float, t_b: float) -> float:
@@ -24,11 +22,10 @@ class TurbulentTube(Tube):
         return self.c * drop / sqrt(sqrt(drop * drop + edge * edge))
 
 
-@dataclass(frozen=True)
+@law
 class ForchheimerTube(Tube):
     """Laminar and inertial resistance in one: p_a^2 - p_b^2 = 2 p_atm m (1 + |m|/m_0)/G."""
 
-    form = "forchheimer"
     conductance: float = 6e-9  # kg/(s Pa)
     m_0: float = 2e-4  # kg/s
 
@@ -37,12 +34,10 @@ class ForchheimerTube(Tube):
         return 2 * laminar / (1 + sqrt(1 + 4 * abs(laminar) / self.m_0))
 
 
-@dataclass(frozen=True)
+@law
 class TwoLumpTube(LineEffect):
     """A laminar tube in two lumps: resistance, volume, resistance behind a volume at the valves."""
 
-    family = "supply_line"
-    form = "two_lumps"
     atol: ClassVar[tuple[float, ...]] = (1e-12, 1e-7, 1e-12, 1e-7)
     volume: float = 8e-6  # m3, both together
     conductance: float = 4e-9  # kg/(s Pa), both in series
@@ -74,7 +69,7 @@ class TwoLumpTube(LineEffect):
         )  # fmt: skip
 
 
-@dataclass(frozen=True)
+@law
 class BlasiusTube(Tube):
     """Turbulent flow through a smooth tube: c (p_a^2 - p_b^2)^(4/7), linear below a drop of 0.1 % of the pressure.
 
@@ -82,7 +77,6 @@ class BlasiusTube(Tube):
     Source: H. Blasius, VDI-Forschungsheft 131 (1913).
     """
 
-    form = "blasius"
     c: float = 2e-10  # kg/(s Pa^(8/7))
 
     def flow(self, p_a: float, t_a: float, p_b: float, t_b: float) -> float:
@@ -91,11 +85,10 @@ class BlasiusTube(Tube):
         return float(self.c * drop * (drop * drop + edge * edge) ** (-3 / 14))
 
 
-@dataclass(frozen=True)
+@law
 class OneWayTube(Tube):
     """A line with a speed controller (check valve beside a throttle): laminar, G filling, share G venting."""
 
-    form = "one_way"
     conductance: float = 4e-9  # kg/(s Pa)
     share: float = 0.4
 
@@ -104,7 +97,7 @@ class OneWayTube(Tube):
         return flow if flow > 0 else self.share * flow
 
 
-@dataclass(frozen=True)
+@law
 class ChokedTube(Tube):
     """A tube by its sonic conductance C and a low critical ratio b: C rho_0 p sqrt(T_0/T (1 - ((r - b)/(1 - b))^2)).
 
@@ -112,7 +105,6 @@ class ChokedTube(Tube):
     Source: ISO 6358-1:2013; long tubes have a b of 0.05 to 0.35.
     """
 
-    form = "choked"
     conductance: float = 1e-9  # m3/(s Pa), C
     b: float = 0.2
 
@@ -131,14 +123,13 @@ class ChokedTube(Tube):
         )
 
 
-@dataclass(frozen=True)
+@law
 class KinkedHose(Tube):
     """A kink that pressure opens: laminar, G (1 + p_mean/p_0) with the mean gauge pressure in the hose.
 
     A kinked hose is a flattened one, whose section grows with the pressure inside; reasoned to first order.
     """
 
-    form = "kinked"
     conductance: float = 4e-9  # kg/(s Pa), at ambient pressure
     p_0: float = 1e5  # Pa
 
@@ -147,7 +138,7 @@ class KinkedHose(Tube):
         return self.conductance * opened * (p_a * p_a - p_b * p_b) / (2 * P_ATM)
 
 
-@dataclass(frozen=True)
+@law
 class InertialLine(Tube):
     """A long tube whose gas must be set going: I m' = p_a - p_b - m 2 p_atm/(G (p_a + p_b)). Third state: the flow.
 
@@ -155,7 +146,6 @@ class InertialLine(Tube):
     Source: J. Watton, Fluid Power Systems (1989), on lumped lines.
     """
 
-    form = "inertial"
     atol: ClassVar[tuple[float, ...]] = (1e-12, 1e-7, 1e-10)
     conductance: float = 4e-9  # kg/(s Pa)
     inertance: float = 1.6e5  # 1/m
@@ -180,7 +170,7 @@ class InertialLine(Tube):
         )
 
 
-@dataclass(frozen=True)
+@law
 class CooledLine(OrificeTube):
     """A line whose wall takes heat from its gas, G (T - T_atm), and an orifice: neither adiabatic nor isothermal.
 
@@ -188,7 +178,6 @@ class CooledLine(OrificeTube):
     Dyn. Syst. Meas. Control 122 (2000) 416, on the two limits.
     """
 
-    form = "cooled_line"
     wall: float = 0.03  # W/K, G
 
     def line_rates(
@@ -198,7 +187,7 @@ class CooledLine(OrificeTube):
         return gas, energy - self.wall * (self.node(q)[1] - T_ATM)
 
 
-@dataclass(frozen=True)
+@law
 class SoftHose(OrificeTube):
     """A rubber hose that widens with pressure, V (1 + e (p - p_atm)), and an orifice at the muscle.
 
@@ -206,7 +195,6 @@ class SoftHose(OrificeTube):
     Source: hoses are sold with their expansion per pressure (SAE J1401); first law for gas and hose together.
     """
 
-    form = "soft_hose"
     expansion: float = 4e-6  # 1/Pa
 
     @property
@@ -225,14 +213,13 @@ class SoftHose(OrificeTube):
         return p, p * (self.volume + self._soft * (p - P_ATM)) / (R * q[0])
 
 
-@dataclass(frozen=True)
+@law
 class ValvedCoupling(Tube):
     """A quick coupling whose poppet the flow must hold open: laminar, times |dp|/(|dp| + p_c) of the drop dp.
 
     Small drops leave it nearly shut. Reasoned: the poppet's opening grows with the drop against its spring.
     """
 
-    form = "valved_coupling"
     conductance: float = 6e-9  # kg/(s Pa)
     p_c: float = 1e4  # Pa
 

@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.flow import P_ATM, T_ATM
 
 _SHELLS = 4
 _PIECES = 4
 
 
-@dataclass(frozen=True)
+@law
 class BlownThermocouple(Effect):
     """The lag is shorter while gas flows: tau/(1 + (|m|/m_0)^(1/2))."""
 
-    family = "thermocouple_lag"
-    form = "blown"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     tau: float = 0.3  # s
     m_0: float = 3e-5  # kg/s
@@ -33,12 +30,10 @@ class BlownThermocouple(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class TwoPartThermocouple(Effect):
     """A part of the reading follows with tau, the other with 6 tau."""
 
-    family = "thermocouple_lag"
-    form = "two_parts"
     atol: ClassVar[tuple[float, ...]] = (1e-6, 1e-6)
     tau: float = 0.1  # s
     share: float = 0.6  # of the quick part
@@ -53,7 +48,7 @@ class TwoPartThermocouple(Effect):
         return self.share * q[0] + (1 - self.share) * q[1]
 
 
-@dataclass(frozen=True)
+@law
 class DenseAirThermocouple(Effect):
     """The lag is shorter in dense gas: tau (p_atm/p)^a, as the film on the wire goes with Re^a.
 
@@ -61,8 +56,6 @@ class DenseAirThermocouple(Effect):
     (1975) 199, with exponents of about 0.3 to 0.6.
     """
 
-    family = "thermocouple_lag"
-    form = "dense_air"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     tau: float = 0.15  # s
     a: float = 0.5
@@ -77,7 +70,7 @@ class DenseAirThermocouple(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class StemThermocouple(Effect):
     """The stem conducts to the fitting at ambient: tau q' = T - q - c (q - T_atm), so a part of each change is lost.
 
@@ -85,8 +78,6 @@ class StemThermocouple(Effect):
     Measurement and Control in Science and Industry 3 (1962), on conduction error.
     """
 
-    family = "thermocouple_lag"
-    form = "stem"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     tau: float = 0.15  # s
     c: float = 0.1
@@ -101,7 +92,7 @@ class StemThermocouple(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class PottedBead(Effect):
     """A junction in the middle of a ball of potting, into which heat diffuses: four shells, the middle one is read.
 
@@ -109,8 +100,6 @@ class PottedBead(Effect):
     Source: H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids (1959), chapter 9, in finite volumes.
     """
 
-    family = "thermocouple_lag"
-    form = "potted"
     atol: ClassVar[tuple[float, ...]] = (1e-6,) * _SHELLS
     tau: float = 1.0  # s
 
@@ -132,15 +121,13 @@ class PottedBead(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class BuoyantBead(Effect):
     """Around the bead the gas conducts and rises: T' = (T_gas - T)/tau (1 + a ((p/p_atm)^2 |T_gas - T|/10 K)^(1/4)).
 
     Source: T. Yuge, Experiments on heat transfer from spheres, J. Heat Transf. 82 (1960) 214: Nu = 2 + 0.43 Ra^(1/4).
     """
 
-    family = "thermocouple_lag"
-    form = "buoyant"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     tau: float = 0.3  # s
     a: float = 0.5
@@ -157,7 +144,7 @@ class BuoyantBead(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class ThreePoles(Effect):
     """The thermocouple's amplifier filters out the mains by three equal poles, and what it shows is late.
 
@@ -165,8 +152,6 @@ class ThreePoles(Effect):
     (U. Tietze, C. Schenk, Electronic Circuits, 2008, chapter 13).
     """
 
-    family = "thermocouple_lag"
-    form = "three_poles"
     atol: ClassVar[tuple[float, ...]] = (1e-6,) * 3
     tau: float = 0.06  # s, of each pole
 
@@ -181,7 +166,7 @@ class ThreePoles(Effect):
         return q[2]
 
 
-@dataclass(frozen=True)
+@law
 class LongWire(Effect):
     """A bare wire from the fitting to its junction: tau T_i' = T_gas - T_i + k (T_(i-1) - 2 T_i + T_(i+1)).
 
@@ -190,8 +175,6 @@ class LongWire(Effect):
     thermocouples, J. Mech. Eng. Sci. 10 (1968) 299, in finite volumes.
     """
 
-    family = "thermocouple_lag"
-    form = "long_wire"
     atol: ClassVar[tuple[float, ...]] = (1e-6,) * _PIECES
     tau: float = 0.15  # s
     k: float = 1.0
@@ -211,50 +194,7 @@ class LongWire(Effect):
         return q[-1]
 
 
-@dataclass(frozen=True)
-class Bead(Effect):
-    """A thermocouple's bead: exchange p^n (1 + (|m|/m_0)^k), less radiation to surroundings that stay cold."""
-
-    atol: ClassVar[tuple[float, ...]] = (1e-6,)
-    tau: float = 0.5  # s
-    n: float = 0.3
-    m_0: float = 5e-5  # kg/s
-    k: float = 0.6
-    radiation: float = 0.08
-    both_ways: bool = True  # whether venting counts as a flow
-
-    def initial(self, rest: Rest) -> tuple[float, ...]:
-        return (rest.temperature,)
-
-    def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        flow = abs(now.net_mass_flow) if self.both_ways else max(now.net_mass_flow, 0.0)
-        exchange = (1 + now.p_gauge / P_ATM) ** self.n * (1 + (flow / self.m_0) ** self.k)
-        return ((exchange * (now.temperature - q[0]) - self.radiation * (q[0] - T_ATM)) / self.tau,)
-
-    def reading(self, q: State, temperature: float) -> float:
-        return q[0]
-
-
-@dataclass(frozen=True)
-class Shares(Effect):
-    """A share of the reading follows the gas with one time constant, the rest with another."""
-
-    atol: ClassVar[tuple[float, ...]] = (1e-6, 1e-6)
-    tau: float = 0.2  # s
-    slow: float = 2.0  # s
-    share: float = 0.6  # of the quick part
-
-    def initial(self, rest: Rest) -> tuple[float, ...]:
-        return rest.temperature, rest.temperature
-
-    def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        return (now.temperature - q[0]) / self.tau, (now.temperature - q[1]) / self.slow
-
-    def reading(self, q: State, temperature: float) -> float:
-        return self.share * q[0] + (1 - self.share) * q[1]
-
-
-@dataclass(frozen=True)
+@law
 class Compensated(Effect):
     """A thermocouple whose amplifier makes up for a part of its lag: q + r tau q', q' = (T - q)/tau.
 
@@ -262,8 +202,6 @@ class Compensated(Effect):
     NACA TN 2703 (1952): the lag in use is never that for which the network was set.
     """
 
-    family = "thermocouple_lag"
-    form = "compensated"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     tau: float = 0.2  # s
     r: float = 0.5
@@ -278,15 +216,13 @@ class Compensated(Effect):
         return q[0] + self.r * (temperature - q[0])
 
 
-@dataclass(frozen=True)
+@law
 class Recess(Effect):
     """The bead sits in a recess, whose gas flow renews: T_r' = (T - T_r)/tau (1 + |m|/m_0), the bead behind tau/5.
 
     States: recess and bead. Reasoned: diffusion renews a recess at rest, and flow past it in proportion.
     """
 
-    family = "thermocouple_lag"
-    form = "recess"
     atol: ClassVar[tuple[float, ...]] = (1e-6, 1e-6)
     tau: float = 0.4  # s
     m_0: float = 4e-5  # kg/s
@@ -302,15 +238,13 @@ class Recess(Effect):
         return q[1]
 
 
-@dataclass(frozen=True)
+@law
 class BesselFilter(Effect):
     """The thermocouple's amplifier has a Bessel filter of second order: tau^2 q'' = T - q - sqrt(3) tau q'.
 
     States: reading and its rate. Source: U. Tietze, C. Schenk, Electronic Circuits (2008), chapter 13.
     """
 
-    family = "thermocouple_lag"
-    form = "bessel"
     atol: ClassVar[tuple[float, ...]] = (1e-6, 1e-5)
     tau: float = 0.1  # s
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import acos, exp, pi, sqrt
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.flow import GAMMA, P_ATM, R_CRITICAL, flow_function
 from rig.schedule import Currents
 
@@ -17,12 +16,10 @@ _PERRY = (-0.1002, 0.8415, -3.9, 4.6001, -1.6827)  # coefficients of r to r^5
 _PERRY_AT_VACUUM = 0.8414
 
 
-@dataclass(frozen=True)
+@law
 class CurvedArea(Effect):
     """The area is a curved function of the current: A (1 + c (A/A_ref - 1/2))."""
 
-    family = "valve_area"
-    form = "curved"
     c: float = 0.3
 
     def areas(self, areas: tuple[float, float], currents: Currents) -> tuple[float, float]:
@@ -30,39 +27,33 @@ class CurvedArea(Effect):
         return a, b
 
 
-@dataclass(frozen=True)
+@law
 class PressedArea(Effect):
     """The pressure drop pushes the plunger shut: A exp(-beta (p_up - p_down)/1e5 Pa)."""
 
-    family = "valve_area"
-    form = "pressed"
     beta: float = 0.1
 
     def valve_factor(self, p_up: float, p_down: float) -> float:
         return exp(-self.beta * (p_up - p_down) / 1e5)
 
 
-@dataclass(frozen=True)
+@law
 class PumpedArea(Effect):
     """The pressure in front lifts the seat: A (1 + beta (p_up/p_atm - 2))."""
 
-    family = "valve_area"
-    form = "lifted_seat"
     beta: float = 0.08
 
     def valve_factor(self, p_up: float, p_down: float) -> float:
         return max(0.05, 1 + self.beta * (p_up / P_ATM - 2))
 
 
-@dataclass(frozen=True)
+@law
 class CriticalRatio(Effect):
     """Flow chokes at a lower ratio b of pressures than in a nozzle: sqrt(1 - ((r - b)/(1 - b))^2) above it.
 
     Source: ISO 6358-1:2013, whose b of real valves is 0.1 to 0.5 and of the ideal nozzle 0.528.
     """
 
-    family = "valve_area"
-    form = "critical_ratio"
     less: float = 0.05  # 0.528 - b
 
     def valve_factor(self, p_up: float, p_down: float) -> float:
@@ -72,7 +63,7 @@ class CriticalRatio(Effect):
         return sqrt(1 - over * over) / flow_function(ratio)
 
 
-@dataclass(frozen=True)
+@law
 class SharpEdge(Effect):
     """The jet of a sharp edge contracts the more, the less it is choked: area times 1 - s (1 - C_d(r)/C_d(0)).
 
@@ -81,8 +72,6 @@ class SharpEdge(Effect):
     D. McCloy, H. R. Martin, Control of Fluid Power (1980).
     """
 
-    family = "valve_area"
-    form = "sharp_edge"
     s: float = 0.5
 
     def valve_factor(self, p_up: float, p_down: float) -> float:
@@ -91,22 +80,20 @@ class SharpEdge(Effect):
         return 1 + self.s * change / _PERRY_AT_VACUUM
 
 
-@dataclass(frozen=True)
+@law
 class CloggedSilencer(Effect):
     """A silencer of area A_s in series behind the exhaust valve: A/sqrt(1 + (A/A_s)^2), the inlet valve as it was.
 
     Restrictions in series add by their inverse squares (P. Beater, Pneumatic Drives, 2007, section 5.3).
     """
 
-    family = "valve_area"
-    form = "silencer"
     area: float = 5e-7  # m2, A_s
 
     def areas(self, areas: tuple[float, float], currents: Currents) -> tuple[float, float]:
         return areas[0], areas[1] / sqrt(1 + (areas[1] / self.area) ** 2)
 
 
-@dataclass(frozen=True)
+@law
 class RoundPort(Effect):
     """A spool that uncovers round holes in its sleeve: the area is a circle's segment over the stroke, by a share.
 
@@ -114,8 +101,6 @@ class RoundPort(Effect):
     Blackburn, G. Reethof, J. L. Shearer, Fluid Power Control (1960), chapter 7, on round ports.
     """
 
-    family = "valve_area"
-    form = "round_port"
     share: float = 0.3
     full: float = 9e-7  # m2, of the linear law where the holes are fully open
 
@@ -128,7 +113,7 @@ class RoundPort(Effect):
         return self._area(areas[0]), self._area(areas[1])
 
 
-@dataclass(frozen=True)
+@law
 class NarrowSlot(Effect):
     """Where the opening is narrow, its walls slow the flow down: A A/(A + A_t).
 
@@ -136,8 +121,6 @@ class NarrowSlot(Effect):
     turbulent. Source: H. E. Merritt, Hydraulic Control Systems (1967), section 3.3; the transition is reasoned.
     """
 
-    family = "valve_area"
-    form = "narrow_slot"
     transition: float = 3e-8  # m2, A_t
 
     def areas(self, areas: tuple[float, float], currents: Currents) -> tuple[float, float]:
@@ -145,7 +128,7 @@ class NarrowSlot(Effect):
         return a, b
 
 
-@dataclass(frozen=True)
+@law
 class JetForce(Effect):
     """The jet's momentum pulls the plunger shut: area/(1 + beta p_up/p_atm N(r) w(r)), 1 for a choked jet from ambient.
 
@@ -153,8 +136,6 @@ class JetForce(Effect):
     Source: H. E. Merritt, Hydraulic Control Systems (1967), section 5.6, on flow forces; w by Saint-Venant and Wantzel.
     """
 
-    family = "valve_area"
-    form = "jet_force"
     beta: float = 0.06
 
     def valve_factor(self, p_up: float, p_down: float) -> float:
@@ -163,7 +144,7 @@ class JetForce(Effect):
         return 1 / max(1 + self.beta * p_up / P_ATM * flow_function(ratio) * speed, 0.2)
 
 
-@dataclass(frozen=True)
+@law
 class PushedExhaust(Effect):
     """The muscle's pressure lifts the plunger of the exhaust valve alone: area times 1 + beta p/1 bar.
 
@@ -171,8 +152,6 @@ class PushedExhaust(Effect):
     seat's area moves a plunger on its spring (P. Beater, Pneumatic Drives, 2007).
     """
 
-    family = "valve_area"
-    form = "pushed_exhaust"
     atol: ClassVar[tuple[float, ...]] = (1e-1,)
     beta: float = 0.1
 
@@ -186,15 +165,13 @@ class PushedExhaust(Effect):
         return areas[0], areas[1] * max(1 + self.beta * q[0] / 1e5, 0.05)
 
 
-@dataclass(frozen=True)
+@law
 class ShortStroke(Effect):
     """The plungers meet their stops, soft ones, before they are fully open: A/(1 + (A/A_m)^4)^(1/4).
 
     Source: data sheets of proportional valves, whose flow levels off near the rated current; the power is reasoned.
     """
 
-    family = "valve_area"
-    form = "short_stroke"
     most: float = 3e-7  # m2, A_m
 
     def areas(self, areas: tuple[float, float], currents: Currents) -> tuple[float, float]:

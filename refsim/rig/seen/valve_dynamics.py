@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from math import sqrt, tanh
+from dataclasses import replace
+from math import sqrt
 from typing import ClassVar
 
 import numpy as np
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.schedule import LONGEST, Currents, SampledSchedule, Schedule
 
 
-@dataclass(frozen=True)
+@law
 class SlowRateValve(Effect):
     """The current that acts moves at a limited rate: u' = rate tanh((command - u)/u_0)."""
 
-    family = "valve_dynamics"
-    form = "rate_limit"
     atol: ClassVar[tuple[float, ...]] = (1e-8, 1e-8)
     time_per_amp: float = 0.3  # s/A
     u_0: float = 0.01  # A
@@ -36,12 +34,10 @@ class SlowRateValve(Effect):
         return q[0], q[1]
 
 
-@dataclass(frozen=True)
+@law
 class DelayedLagValve(Effect):
     """A dead time and then a first-order lag, of equal size."""
 
-    family = "valve_dynamics"
-    form = "delayed_lag"
     atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-9)
     tau: float = 0.03  # s
 
@@ -58,12 +54,10 @@ class DelayedLagValve(Effect):
         return q[0], q[1]
 
 
-@dataclass(frozen=True)
+@law
 class TwoSpeedValve(Effect):
     """The currents act through a lag that is `ratio` times longer when they fall than when they rise."""
 
-    family = "valve_dynamics"
-    form = "two_speeds"
     atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-9)
     tau: float = 0.06  # s
     ratio: float = 0.5
@@ -81,15 +75,13 @@ class TwoSpeedValve(Effect):
         return q[0], q[1]
 
 
-@dataclass(frozen=True)
+@law
 class EddyValve(Effect):
     """A part of the magnetic force comes at once, the rest when eddy currents in the iron have died away.
 
     Reasoned from the diffusion of flux into a solid core: its skin follows the coil, its inside comes late.
     """
 
-    family = "valve_dynamics"
-    form = "eddy_currents"
     atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-9)
     tau: float = 0.1  # s
     at_once: float = 0.5
@@ -107,7 +99,7 @@ class EddyValve(Effect):
         return a, b
 
 
-@dataclass(frozen=True)
+@law
 class SaturatingCoil(Effect):
     """The coil's inductance falls as its iron saturates, L/(1 + (u/u_s)^2): u' = (command - u)(1 + (u/u_s)^2)/tau.
 
@@ -115,8 +107,6 @@ class SaturatingCoil(Effect):
     Meas. Control 118 (1996) 120, on the inductance that depends on the current.
     """
 
-    family = "valve_dynamics"
-    form = "saturating_coil"
     atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-9)
     tau: float = 0.1  # s
     u_s: float = 0.2  # A
@@ -134,7 +124,7 @@ class SaturatingCoil(Effect):
         return q[0], q[1]
 
 
-@dataclass(frozen=True)
+@law
 class PilotStage(Effect):
     """The spool moves by what flows through a pilot orifice, the root of what it is off: u' = sqrt(u_r |e|) sign(e)/T.
 
@@ -142,8 +132,6 @@ class PilotStage(Effect):
     Source: H. E. Merritt, Hydraulic Control Systems (1967), chapter 7, on two-stage valves.
     """
 
-    family = "valve_dynamics"
-    form = "pilot_stage"
     atol: ClassVar[tuple[float, ...]] = (1e-8, 1e-8)
     time: float = 0.04  # s, T
     u_r: float = 0.35  # A
@@ -162,7 +150,7 @@ class PilotStage(Effect):
         return q[0], q[1]
 
 
-@dataclass(frozen=True)
+@law
 class HeldCommand(Effect):
     """The output stage passes a command on once in a cycle and holds it in between.
 
@@ -170,8 +158,6 @@ class HeldCommand(Effect):
     B. Wittenmark, Computer-Controlled Systems (1997), chapter 2, on zero-order hold.
     """
 
-    family = "valve_dynamics"
-    form = "held_command"
     cycle: float = 0.05  # s
     first: float = 0.5  # of the cycle
 
@@ -187,15 +173,13 @@ class HeldCommand(Effect):
         return Schedule(tuple(starts), tuple(felt))
 
 
-@dataclass(frozen=True)
+@law
 class ThreeLags(Effect):
     """Driver, coil and spool follow one another, three equal first-order lags in series.
 
     Source: H. E. Merritt, Hydraulic Control Systems (1967), chapter 5, on the chain from amplifier to spool.
     """
 
-    family = "valve_dynamics"
-    form = "three_lags"
     atol: ClassVar[tuple[float, ...]] = (1e-9,) * 6
     tau: float = 0.02  # s, of each
 
@@ -210,30 +194,7 @@ class ThreeLags(Effect):
         return q[2], q[5]
 
 
-@dataclass(frozen=True)
-class LimitedRate(Effect):
-    """The currents that act follow at a limited rate, up or down: rate tanh(gap/u_0), slower or faster down."""
-
-    atol: ClassVar[tuple[float, ...]] = (1e-8, 1e-8)
-    rate: float = 3.0  # A/s
-    u_0: float = 0.01  # A
-    down: float = 1.0  # rate down by that up
-
-    def initial(self, rest: Rest) -> tuple[float, ...]:
-        return 0.0, 0.0
-
-    def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        a, b = (self._toward(u - y) for u, y in zip(now.command, q, strict=True))
-        return a, b
-
-    def current(self, q: State, command: Currents) -> Currents:
-        return q[0], q[1]
-
-    def _toward(self, gap: float) -> float:
-        return self.rate * (1.0 if gap > 0 else self.down) * tanh(gap / self.u_0)
-
-
-@dataclass(frozen=True)
+@law
 class PressedPlunger(Effect):
     """The muscle's pressure holds the exhaust's plunger: it opens (1 + p/p_0) times later and shuts as much sooner.
 
@@ -241,8 +202,6 @@ class PressedPlunger(Effect):
     opens and with the spring while it shuts (P. Beater, Pneumatic Drives, 2007).
     """
 
-    family = "valve_dynamics"
-    form = "pressed_plunger"
     atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-9)
     tau: float = 0.05  # s
     p_0: float = 8e4  # Pa
@@ -261,7 +220,7 @@ class PressedPlunger(Effect):
         return q[0], q[1]
 
 
-@dataclass(frozen=True)
+@law
 class SeatAdhesion(Effect):
     """A plunger that its seat holds by the squeezed film: a lag of tau (1 + c/(1 + (h/h_0)^2)) with the lift h.
 
@@ -270,8 +229,6 @@ class SeatAdhesion(Effect):
     rounded here, the cube of the gap would never let it shut.
     """
 
-    family = "valve_dynamics"
-    form = "seat_adhesion"
     atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-9)
     tau: float = 0.02  # s
     c: float = 4.0
@@ -291,15 +248,13 @@ class SeatAdhesion(Effect):
         return q[0], q[1]
 
 
-@dataclass(frozen=True)
+@law
 class AveragedCommand(Effect):
     """The valves' amplifier passes on the mean of the command over the last while, as digital ones with a filter do.
 
     A step becomes a ramp. Source: A. V. Oppenheim, R. W. Schafer, Discrete-Time Signal Processing (1989), chapter 2.
     """
 
-    family = "valve_dynamics"
-    form = "averaged_command"
     window: float = 0.08  # s
 
     def drive(self, schedule: Schedule) -> Schedule:

@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import sqrt
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.flow import T_ATM
 
 _LAYERS = 5
 
 
-@dataclass(frozen=True)
+@law
 class TwoLayerWall(Effect):
     """A wall in two layers, the outer one of `ratio` times the capacity, with a conductance between them."""
 
-    family = "wall_heat"
-    form = "two_layers"
     atol: ClassVar[tuple[float, ...]] = (1e-6, 1e-6)
     capacity: float = 0.5  # J/K
     ratio: float = 2.0
@@ -36,12 +33,10 @@ class TwoLayerWall(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class FreeConvectionWall(Effect):
     """A warm wall that air cools by free convection: loss g_out dT (|dT|/5 K)^0.25."""
 
-    family = "wall_heat"
-    form = "free_convection"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     capacity: float = 0.5  # J/K
     g_out: float = 0.02  # W/K
@@ -58,7 +53,7 @@ class FreeConvectionWall(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class ThickWall(Effect):
     """Heat diffuses into a thick wall, here five equal layers: the longer, the deeper.
 
@@ -66,8 +61,6 @@ class ThickWall(Effect):
     Source: H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids (1959), chapter 3, in finite volumes.
     """
 
-    family = "wall_heat"
-    form = "diffusion"
     atol: ClassVar[tuple[float, ...]] = (1e-6,) * _LAYERS
     capacity: float = 1.0  # J/K
     tau: float = 8.0  # s
@@ -87,7 +80,7 @@ class ThickWall(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class PressedLayers(Effect):
     """A bladder that loses its heat to the braid, and the better, the harder it is pressed: between (p/1 bar)^0.95.
 
@@ -96,8 +89,6 @@ class PressedLayers(Effect):
     (1969) 279, for the exponent.
     """
 
-    family = "wall_heat"
-    form = "pressed_layers"
     atol: ClassVar[tuple[float, ...]] = (1e-6, 1e-6)
     capacity: float = 0.3  # J/K, of the bladder
     ratio: float = 2.0  # capacity of the braid by that of the bladder
@@ -117,15 +108,13 @@ class PressedLayers(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class FannedWall(Effect):
     """A warm wall that cools itself by moving through the air: loss g_out dT (1 + (|v|/v_0)^(1/2)).
 
     Source: L. V. King, On the convection of heat from small cylinders, Phil. Trans. R. Soc. A 214 (1914) 373.
     """
 
-    family = "wall_heat"
-    form = "fanned"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     capacity: float = 0.4  # J/K
     g_out: float = 0.02  # W/K, at rest
@@ -142,15 +131,13 @@ class FannedWall(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class MetalEnds(Effect):
     """A bladder that loses heat to the air and to the metal fittings, which keep it: conductances g_out and g_end.
 
     States: temperatures of bladder and fittings. Source: heat balance of two lumps.
     """
 
-    family = "wall_heat"
-    form = "metal_ends"
     atol: ClassVar[tuple[float, ...]] = (1e-6, 1e-6)
     capacity: float = 0.4  # J/K, of the bladder
     ratio: float = 8.0  # capacity of the fittings by that of the bladder
@@ -169,40 +156,13 @@ class MetalEnds(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
-class LayeredWall(Effect):
-    """A wall in two layers; the outer one loses its heat by g dT (|dT|/5 K)^n."""
-
-    atol: ClassVar[tuple[float, ...]] = (1e-6, 1e-6)
-    capacity: float = 0.2  # J/K
-    ratio: float = 3.0
-    between: float = 0.1  # W/K
-    g: float = 0.03  # W/K
-    n: float = 0.25
-
-    def initial(self, rest: Rest) -> tuple[float, ...]:
-        return T_ATM, T_ATM
-
-    def rates(self, q: State, now: Now) -> tuple[float, ...]:
-        passed, warm = self.between * (q[0] - q[1]), q[1] - T_ATM
-        lost = self.g * warm * ((warm * warm + 1e-4) / 25) ** (self.n / 2)
-        return (-now.heat_to_gas - passed) / self.capacity, (passed - lost) / (
-            self.ratio * self.capacity
-        )
-
-    def wall_temperature(self, q: State, outside: float) -> float:
-        return q[0]
-
-
-@dataclass(frozen=True)
+@law
 class ExhaustDraught(Effect):
     """The exhaust blows along the muscle and cools its wall: loss g_out dT (1 + c a) with the exhaust's opening a.
 
     a is the current above the threshold of 0.145 A by 0.205 A. Source: heat balance of a lump; the draught is reasoned.
     """
 
-    family = "wall_heat"
-    form = "exhaust_draught"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     capacity: float = 0.4  # J/K
     g_out: float = 0.02  # W/K, without draught
@@ -219,15 +179,13 @@ class ExhaustDraught(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class ClosingGap(Effect):
     """A muscle in a guard tube, which it fills as it bulges: loss g_out dT (1 + x/x_0).
 
     Still air conducts across the gap, the better the narrower it is; to first order in the contraction. Reasoned.
     """
 
-    family = "wall_heat"
-    form = "closing_gap"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     capacity: float = 0.4  # J/K
     g_out: float = 0.02  # W/K, at rest
@@ -244,7 +202,7 @@ class ClosingGap(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class TwoPatches(Effect):
     """A wall of bare patches and of ones that fibres thicken, side by side: shares s and 1 - s of the inner surface.
 
@@ -252,8 +210,6 @@ class TwoPatches(Effect):
     base model's between gas and wall. Source: heat balance of two lumps side by side.
     """
 
-    family = "wall_heat"
-    form = "two_patches"
     atol: ClassVar[tuple[float, ...]] = (1e-6, 1e-6)
     capacity: float = 0.2  # J/K, of the bare patches
     ratio: float = 5.0

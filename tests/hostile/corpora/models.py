@@ -31,7 +31,6 @@ def _inputs(value: str, before: str = "") -> str:
 
 FIB = _function("f", "y := if n < 2 then n else f(n - 1) + f(n - 2);")
 SUMS = "sum(sum(sum(sum(i*j*k*l for i in 1:100) for j in 1:100) for k in 1:100) for l in 1:100)"
-GROWING = "String s;"
 
 REFUSED: dict[str, str] = {
     # nested texts

@@ -7,10 +7,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import pytest
-
 from tests.workbench.browser.conftest import serving
-from tests.workbench.browser.looking import drag, error, noise, quiet, until
+from tests.workbench.browser.looking import error, noise, quiet, until
 
 EFFECT = "LinearBladder"
 
@@ -52,28 +50,4 @@ def test_a_fit_an_effect_and_its_file(
             page.locator("#add-dialog pre").inner_text().strip()
             == (folder / "Better.mo").read_text().strip()
         )
-        page.close()
-
-
-@pytest.mark.full
-def test_what_is_stopped_can_be_given_up(
-    opened: Callable[..., Any], muscle: Path, tmp_path: Path
-) -> None:
-    """Stop holds it: sliders move meanwhile; End gives it up, and another thing can begin."""
-    folder = shutil.copytree(muscle, tmp_path / "rig")
-    with serving(folder) as address:
-        page = opened(address)
-        page.locator("#diagnose").click()
-        page.get_by_role("button", name="Stop").click()
-        page.get_by_role("button", name="Resume").wait_for()
-        before = error(page, "p")
-        drag(page, "valve.C_A", 0.9)
-        until(page, lambda: error(page, "p") > 1.5 * before)
-        page.get_by_role("button", name="End").click()
-        until(
-            page, lambda: page.locator("#stop").is_disabled() and page.locator("#fit").is_enabled()
-        )
-        assert "ended" in page.locator("#status").inner_text()
-        page.locator("#fit").click()
-        until(page, lambda: "fit is done" in page.locator("#status").inner_text())
         page.close()

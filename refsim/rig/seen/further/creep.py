@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import sqrt
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 
 
-@dataclass(frozen=True)
+@law
 class StiffeningMaxwell(Effect):
     """A Maxwell element whose spring stiffens while its dashpot is plain: force k g(e), q' = g(e)/tau, e = x - q.
 
@@ -18,8 +17,6 @@ class StiffeningMaxwell(Effect):
     viscoelasticity and numerical aspects, Int. J. Solids Struct. 35 (1998) 3455; the cubic is reasoned.
     """
 
-    family = "creep"
-    form = "stiffening_maxwell"
     atol: ClassVar[tuple[float, ...]] = (1e-10,)
     k: float = 300.0  # N/m
     tau: float = 1.5  # s
@@ -38,7 +35,7 @@ class StiffeningMaxwell(Effect):
         return self.k * self._load(x - q[0])
 
 
-@dataclass(frozen=True)
+@law
 class Overstress(Effect):
     """A spring k e whose dashpot flows by what its load is beyond a threshold: q' = over(e)/tau, e = x - q.
 
@@ -47,8 +44,6 @@ class Overstress(Effect):
     A. Lion, Acta Mech. 123 (1997) 1.
     """
 
-    family = "creep"
-    form = "overstress"
     atol: ClassVar[tuple[float, ...]] = (1e-10,)
     k: float = 400.0  # N/m
     tau: float = 1.5  # s

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import tanh
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.flow import CP, GAMMA, P_ATM, T_ATM, R
 
 
-@dataclass(frozen=True)
+@law
 class SpringPiston(Effect):
     """A side chamber that a piston on a spring enlarges between two pressures: V (1 + e (1 + tanh((p - p_1)/w))/2).
 
@@ -20,8 +19,6 @@ class SpringPiston(Effect):
     (1967).
     """
 
-    family = "dead_volume"
-    form = "spring_piston"
     atol: ClassVar[tuple[float, ...]] = (1e-1, 1e-12)
     volume: float = 1e-5  # m3, of the chamber with the piston at its near end
     e: float = 1.0  # what the piston's stroke adds, by volume
@@ -48,7 +45,7 @@ class SpringPiston(Effect):
         return (GAMMA - 1) * enthalpy / (volume + GAMMA * q[0] * slope), flow
 
 
-@dataclass(frozen=True)
+@law
 class Sorbent(Effect):
     """A side cartridge with drying agent, which holds more gas than its room: pores, and a layer that fills by tau.
 
@@ -58,8 +55,6 @@ class Sorbent(Effect):
     force by E. Glueckauf, Trans. Faraday Soc. 51 (1955) 1540.
     """
 
-    family = "dead_volume"
-    form = "sorbent"
     atol: ClassVar[tuple[float, ...]] = (1e-12, 1e-12)
     volume: float = 1e-5  # m3, of the pores
     b: float = 1.0

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import exp, log, sqrt, tanh
 
-from rig.effect import Effect, State
+from rig.effect import Effect, State, law
 
 
-@dataclass(frozen=True)
+@law
 class RubberSliding(Effect):
     """Rubber that slides has a speed of most friction: F_c (1 - a + a exp(-h^2 ln^2(|v|/v_m))) tanh(v/width).
 
@@ -16,8 +15,6 @@ class RubberSliding(Effect):
     (1965) 222, by the measurements of K. A. Grosch, Proc. R. Soc. Lond. A 274 (1963) 21.
     """
 
-    family = "dry_friction"
-    form = "savkoor"
     f_c: float = 8.0  # N, at the speed v_m
     a: float = 0.5
     v_m: float = 0.03  # m/s
@@ -30,7 +27,7 @@ class RubberSliding(Effect):
         return self.f_c * (1 - self.a + self.a * bell) * tanh(v / self.width)
 
 
-@dataclass(frozen=True)
+@law
 class GuardTube(Effect):
     """The muscle bulges into its guard tube and rubs on it: F over(D/D0 - 1 - gap) tanh(v/width), D by the braid.
 
@@ -39,8 +36,6 @@ class GuardTube(Effect):
     have it.
     """
 
-    family = "dry_friction"
-    form = "guard_tube"
     f: float = 40.0  # N, for a squeeze by the whole diameter
     gap: float = 0.05
     width: float = 5e-4  # m/s

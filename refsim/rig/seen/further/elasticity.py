@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import exp, sqrt
 
-from rig.effect import Effect, State
+from rig.effect import Effect, State, law
 from rig.seen.elasticity import BraidedTube
 
 
-@dataclass(frozen=True)
+@law
 class DemirayTube(BraidedTube):
     """A thin tube that stiffens as tissue does and follows the braid: W = mu/(2 b) (exp(b (I1 - 3)) - 1).
 
@@ -17,8 +16,6 @@ class DemirayTube(BraidedTube):
     tissues, J. Biomech. 5 (1972) 309.
     """
 
-    family = "elasticity"
-    form = "demiray"
     mu: float = 2.0e5  # Pa
     b: float = 0.8
 
@@ -31,7 +28,7 @@ class DemirayTube(BraidedTube):
         return -self.wall / self.length * self.mu / 2 * stiffer * slope
 
 
-@dataclass(frozen=True)
+@law
 class SetBraid(Effect):
     """Stiff fibres that were set as the braid lies at rest: they are bent more the thicker it gets.
 
@@ -40,8 +37,6 @@ class SetBraid(Effect):
     A Treatise on the Mathematical Theory of Elasticity (1927), chapter 19, on helical wires.
     """
 
-    family = "elasticity"
-    form = "set_braid"
     f: float = 20.0  # N
     length: float = 0.24  # m
     fibre_squared: float = 0.0734  # m2

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import pi, sqrt
 
-from rig.effect import Effect
+from rig.effect import Effect, law
 
 
-@dataclass(frozen=True)
+@law
 class SlantedEnds(Effect):
     """Between fitting and cylinder the braid is a frustum of one slant, c = 2/tan of it: by virtual work.
 
@@ -17,8 +16,6 @@ class SlantedEnds(Effect):
     Robotics and Automation (2000) 3641.
     """
 
-    family = "end_shape"
-    form = "slanted"
     c: float = 1.0
     length: float = 0.24  # m
     fibre_squared: float = 0.0734  # m2
@@ -34,7 +31,7 @@ class SlantedEnds(Effect):
         return 1 - self.c * (now - rest) * length / room
 
 
-@dataclass(frozen=True)
+@law
 class ThroughRod(Effect):
     """A rod, as that of a displacement sensor, passes through one end: its area lacks the pressure that pulls.
 
@@ -42,8 +39,6 @@ class ThroughRod(Effect):
     on the end plugs in C.-P. Chou, B. Hannaford, IEEE Trans. Robot. Autom. 12 (1996) 90; the rod is reasoned.
     """
 
-    family = "end_shape"
-    form = "through_rod"
     c: float = 0.1  # area of the rod by that of the muscle at rest
     length: float = 0.24  # m
     fibre_squared: float = 0.0734  # m2

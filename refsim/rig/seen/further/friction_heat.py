@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import cosh, log
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 
 _TIMES = tuple(6.0**k for k in range(-2, 3))  # of the time of diffusion
 _PARTS = tuple(1 / cosh(log(u) / 2) for u in _TIMES)
 _WEIGHTS = tuple(part / sum(_PARTS) for part in _PARTS)
 
 
-@dataclass(frozen=True)
+@law
 class ThinningWall(Effect):
     """Heat of friction comes through a bladder that thins as it stretches, a lag: tau (t/t_0)^2 = tau (L0 D0/L D)^2.
 
@@ -22,8 +21,6 @@ class ThinningWall(Effect):
     (1959), chapter 3, in one lump.
     """
 
-    family = "friction_heat"
-    form = "thinning_wall"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     share: float = 1.0
     tau: float = 0.3  # s, at rest
@@ -46,7 +43,7 @@ class ThinningWall(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class DeepContact(Effect):
     """Contacts lie on a body that takes up heat to any depth and gives it off late: share by 1/(1 + sqrt(s tau)).
 
@@ -55,8 +52,6 @@ class DeepContact(Effect):
     in Solids (1959), chapter 2; the spectrum is that of K. S. Cole, R. H. Cole, J. Chem. Phys. 9 (1941) 341.
     """
 
-    family = "friction_heat"
-    form = "deep_contact"
     atol: ClassVar[tuple[float, ...]] = (1e-6,) * len(_TIMES)
     share: float = 1.0
     tau: float = 0.2  # s

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from rig.catalogue.gas_energy import EnergyGas
-from rig.effect import Now, Rest, State
+from rig.effect import Now, Rest, State, law
 
 
-@dataclass(frozen=True)
+@law
 class PipeFlow(EnergyGas):
     """The muscle as a pipe, laminar or turbulent, whichever carries more: (h^3 + (h_1 (|m|/0.1 g/s)^0.8)^3)^(1/3).
 
@@ -17,7 +16,6 @@ class PipeFlow(EnergyGas):
     joined as S. W. Churchill, R. Usagi, AIChE J. 18 (1972) 1121, join two limits.
     """
 
-    form = "pipe_flow"
     atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-10)
     h_1: float = 30.0  # W/(m2 K)
 
@@ -32,7 +30,7 @@ class PipeFlow(EnergyGas):
         return self._through(float((self.h**3 + turbulent**3) ** (1 / 3)))
 
 
-@dataclass(frozen=True)
+@law
 class Swirl(EnergyGas):
     """What flows in turns and makes all the gas turn: w' = (1 - w) m_in/m - w/tau; film h (1 + c w^0.8).
 
@@ -41,7 +39,6 @@ class Swirl(EnergyGas):
     engine's charge (J. B. Heywood, Internal Combustion Engine Fundamentals, 1988, section 8.3).
     """
 
-    form = "swirl"
     atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-8)
     c: float = 5.0
     tau: float = 0.5  # s

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import tanh
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.flow import CP, P_ATM, T_ATM
 
 
-@dataclass(frozen=True)
+@law
 class DissolvedGas(Effect):
     """Gas dissolves in a bladder of silicone or latex, diffuses through and comes off outside: 2 G (p - c) goes in.
 
@@ -19,8 +18,6 @@ class DissolvedGas(Effect):
     organic polymers, Trans. Faraday Soc. 35 (1939) 628, in one lump.
     """
 
-    family = "leak"
-    form = "dissolved"
     atol: ClassVar[tuple[float, ...]] = (1e-1,)
     conductance: float = 2e-11  # kg/(s Pa)
     tau: float = 1.5  # s
@@ -36,7 +33,7 @@ class DissolvedGas(Effect):
         return ((now.p_gauge + 2 * P_ATM - 2 * q[0]) / self.tau,)
 
 
-@dataclass(frozen=True)
+@law
 class PoppingSeal(Effect):
     """A seal that pops open at a pressure and shuts again at a lower one: G p s, s towards 0 or 1 in 30 ms.
 
@@ -44,8 +41,6 @@ class PoppingSeal(Effect):
     huddling chamber of a relief valve does. Source: API Standard 520 on blowdown; the law is reasoned.
     """
 
-    family = "leak"
-    form = "popping"
     atol: ClassVar[tuple[float, ...]] = (1e-7,)
     conductance: float = 3e-11  # kg/(s Pa)
     p_0: float = 5e4  # Pa, in the middle of both

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import cos, sin, tanh
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 
 
-@dataclass(frozen=True)
+@law
 class ClutchedFlywheel(Effect):
     """A flywheel behind a slip clutch: force m a tanh((v - w)/(a tau)), w' = a tanh((v - w)/(a tau)).
 
@@ -18,8 +17,6 @@ class ClutchedFlywheel(Effect):
     K. Nisbett, Shigley's Mechanical Engineering Design (2011), chapter 16.
     """
 
-    family = "moving_mass"
-    form = "clutched_flywheel"
     atol: ClassVar[tuple[float, ...]] = (1e-9,)
     m: float = 3.0  # kg, moment of inertia over radius squared
     a: float = 3.0  # m/s2
@@ -38,7 +35,7 @@ class ClutchedFlywheel(Effect):
         return self.m * self._speeding(q[0], v)
 
 
-@dataclass(frozen=True)
+@law
 class EccentricWheel(Effect):
     """The cord turns a balanced wheel that is mounted off its centre: inertia m/(1 + e sin(x/r + phi))^2.
 
@@ -46,8 +43,6 @@ class EccentricWheel(Effect):
     it (Lagrange). Source: eccentric pulleys in exercise machines and bows; kinematics reasoned.
     """
 
-    family = "moving_mass"
-    form = "eccentric_wheel"
     m: float = 3.0  # kg, moment of inertia over radius squared
     radius: float = 0.03  # m
     e: float = 0.3

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import tanh
 
-from rig.effect import Effect, State
+from rig.effect import Effect, State, law
 
 
-@dataclass(frozen=True)
+@law
 class RangeSwitch(Effect):
     """A manometer that changes its range by itself: right below p_r, a gain of 1 + c above, rounded over 2 kPa.
 
@@ -16,8 +15,6 @@ class RangeSwitch(Effect):
     manometers, which state an error for either range.
     """
 
-    family = "pressure_offset"
-    form = "range_switch"
     c: float = 0.04
     p_r: float = 7e4  # Pa
 
@@ -25,7 +22,7 @@ class RangeSwitch(Effect):
         return p_gauge * (1 + self.c * (1 + tanh((p_gauge - self.p_r) / 2e3)) / 2)
 
 
-@dataclass(frozen=True)
+@law
 class CubicResidue(Effect):
     """What a parabola leaves of a transducer's curve: p + size P_3(2 p/p_fs - 1), Legendre's cubic over the range.
 
@@ -33,8 +30,6 @@ class CubicResidue(Effect):
     by a polynomial of second order, whose residue is the next orthogonal one; A. M. Legendre (1785).
     """
 
-    family = "pressure_offset"
-    form = "cubic_residue"
     size: float = 2e3  # Pa
     p_fs: float = 2.5e5  # Pa, full scale
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from rig.effect import Effect, State
+from rig.effect import Effect, State, law
 
 
-@dataclass(frozen=True)
+@law
 class ThickeningFluid(Effect):
     """A dashpot whose suspension thickens when sheared: c v (1 + r (v/v_0)^4)/(1 + (v/v_0)^4), r above 1.
 
@@ -16,8 +14,6 @@ class ThickeningFluid(Effect):
     035027; the rational law is reasoned.
     """
 
-    family = "rate_friction"
-    form = "thickening"
     c: float = 100.0  # N s/m
     v_0: float = 0.03  # m/s
     r: float = 4.0
@@ -27,7 +23,7 @@ class ThickeningFluid(Effect):
         return self.c * v * (1 + self.r * fast) / (1 + fast)
 
 
-@dataclass(frozen=True)
+@law
 class MeteringOrifices(Effect):
     """A shock absorber whose holes the piston covers one after another: c v |v|/(1 - x/x_e), at most ten times.
 
@@ -35,8 +31,6 @@ class MeteringOrifices(Effect):
     down evenly. Source: J. C. Dixon, The Shock Absorber Handbook (2007), on position-sensitive orifices.
     """
 
-    family = "rate_friction"
-    form = "metering_orifices"
     c: float = 2e3  # N s2/m2, at rest
     x_e: float = 0.1  # m
 

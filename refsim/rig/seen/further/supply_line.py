@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import sqrt
 
 from rig.catalogue.supply_line import Tube
+from rig.effect import law
 from rig.flow import P_ATM
 
 
-@dataclass(frozen=True)
+@law
 class CoiledHose(Tube):
     """A spiral hose, whose flow turns over as it goes: p_a^2 - p_b^2 = 2 p_atm m (1 + (|m|/m_0)^(1/2))/G.
 
@@ -18,7 +18,6 @@ class CoiledHose(Tube):
     reasoned.
     """
 
-    form = "coiled"
     conductance: float = 6e-9  # kg/(s Pa)
     m_0: float = 1e-4  # kg/s
 
@@ -33,7 +32,7 @@ class CoiledHose(Tube):
         return flow if laminar > 0 else -flow
 
 
-@dataclass(frozen=True)
+@law
 class FlowLimiter(Tube):
     """A flow limiter with a rubber lip, which narrows as the drop grows: m_max u/sqrt(u^2 + p_l^2) either way.
 
@@ -41,7 +40,6 @@ class FlowLimiter(Tube):
     restrictors; the law is reasoned.
     """
 
-    form = "flow_limiter"
     m_max: float = 3e-4  # kg/s
     p_l: float = 4e4  # Pa
 

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import sqrt
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.flow import T_ATM
 
 _CELLS = 3
 
 
-@dataclass(frozen=True)
+@law
 class FlushedProbe(Effect):
     """The bead sits in a bore that passing gas flushes, three cells in a row: T_i' = (T_(i-1) - T_i) f/tau.
 
@@ -20,8 +19,6 @@ class FlushedProbe(Effect):
     Reaction Engineering (1972), chapter 9; the bore is reasoned.
     """
 
-    family = "thermocouple_lag"
-    form = "flushed_probe"
     atol: ClassVar[tuple[float, ...]] = (1e-6,) * _CELLS
     tau: float = 0.05  # s
     m_0: float = 5e-5  # kg/s
@@ -38,7 +35,7 @@ class FlushedProbe(Effect):
         return q[-1]
 
 
-@dataclass(frozen=True)
+@law
 class TouchingBead(Effect):
     """The bead touches the bladder: tau T' = T_gas - T + c (T_w - T), the spot warms: tau_w T_w' = T - 2 T_w + T_atm.
 
@@ -46,8 +43,6 @@ class TouchingBead(Effect):
     thermometers, R. J. Moffat, Gas temperature measurement (1962); two lumps reasoned.
     """
 
-    family = "thermocouple_lag"
-    form = "touching"
     atol: ClassVar[tuple[float, ...]] = (1e-6, 1e-6)
     tau: float = 0.15  # s
     c: float = 0.2

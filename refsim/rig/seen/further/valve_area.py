@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from rig.effect import Effect
+from rig.effect import Effect, law
 from rig.flow import R_CRITICAL, flow_function
 
 
-@dataclass(frozen=True)
+@law
 class SubsonicIndex(Effect):
     """Below choking the flow is (1 - ((r - b)/(1 - b))^2)^m of the choked one, m not a nozzle's 1/2.
 
@@ -16,8 +14,6 @@ class SubsonicIndex(Effect):
     for valves and more for what has several restrictions in a row.
     """
 
-    family = "valve_area"
-    form = "subsonic_index"
     more: float = 0.06  # m - 1/2
 
     def valve_factor(self, p_up: float, p_down: float) -> float:
@@ -26,7 +22,7 @@ class SubsonicIndex(Effect):
         return float((1 - over * over) ** (0.5 + self.more) / flow_function(ratio))
 
 
-@dataclass(frozen=True)
+@law
 class ServoAssisted(Effect):
     """Valves that the medium opens: a drop of pressure must lift the diaphragm, area times dp/(dp + p_m).
 
@@ -34,8 +30,6 @@ class ServoAssisted(Effect):
     for the full opening; the law, a diaphragm on a spring, is reasoned.
     """
 
-    family = "valve_area"
-    form = "servo_assisted"
     p_m: float = 5e3  # Pa
 
     def valve_factor(self, p_up: float, p_down: float) -> float:

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import sqrt
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.schedule import Currents
 
 
-@dataclass(frozen=True)
+@law
 class SquaredFlux(Effect):
     """The flux comes late and the magnet's force goes with its square: y' = (sqrt(command) - y)/tau, felt is y^2.
 
@@ -18,8 +17,6 @@ class SquaredFlux(Effect):
     Electromagnetics (1989), section 6.12, on the force of an electromagnet; the lag is that of eddy currents and coil.
     """
 
-    family = "valve_dynamics"
-    form = "squared_flux"
     atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-9)
     tau: float = 0.05  # s
 
@@ -34,7 +31,7 @@ class SquaredFlux(Effect):
         return q[0] * q[0], q[1] * q[1]
 
 
-@dataclass(frozen=True)
+@law
 class PlungerTravel(Effect):
     """The opening itself lags, not the current: a' = (area by the current - a)/tau, in closing (1 + a/(a + a_r)) tau.
 
@@ -44,8 +41,6 @@ class PlungerTravel(Effect):
     reasoned.
     """
 
-    family = "valve_dynamics"
-    form = "plunger_travel"
     atol: ClassVar[tuple[float, ...]] = (1e-14, 1e-14)
     tau: float = 0.04  # s
     a_r: float = 3e-7  # m2

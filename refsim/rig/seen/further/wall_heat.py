@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import expm1, sqrt
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.flow import T_ATM
 
 
-@dataclass(frozen=True)
+@law
 class StretchedWall(Effect):
     """Rubber warms as it is stretched (Gough, Joule): C T_w' = heat from gas - G_out dT + C b T_w (c - 1/c^2) c'.
 
@@ -19,8 +18,6 @@ class StretchedWall(Effect):
     temperature; a little more for rubber that crystallises.
     """
 
-    family = "wall_heat"
-    form = "stretched"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     capacity: float = 0.4  # J/K
     g_out: float = 0.02  # W/K
@@ -43,7 +40,7 @@ class StretchedWall(Effect):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class DampSleeve(Effect):
     """A damp sleeve in moist air loses heat by what evaporates of it: loss G_out theta (exp(dT/theta) - 1).
 
@@ -52,8 +49,6 @@ class DampSleeve(Effect):
     so.
     """
 
-    family = "wall_heat"
-    form = "damp_sleeve"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     capacity: float = 0.4  # J/K
     g_out: float = 0.03  # W/K, of small differences

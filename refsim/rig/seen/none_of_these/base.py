@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.schedule import SampledSchedule, Schedule
 
 
-@dataclass(frozen=True)
+@law
 class Strange(Effect):
     """Of no family."""
 
     family = "none_of_these"
 
 
-@dataclass(frozen=True)
+@law
 class Clocked(Strange):
     """Its own state is the time."""
 
@@ -38,7 +38,7 @@ def with_edges(schedule: Schedule, instants: Sequence[float]) -> Schedule:
     return Schedule(starts, tuple(schedule.at(t) for t in starts))
 
 
-@dataclass(frozen=True)
+@law
 class Intermittent(Clocked):
     """It goes for a share of each period of the clock."""
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import pi, sin
 from typing import ClassVar
 
-from rig.effect import Now, Rest, State
+from rig.effect import Now, Rest, State, law
 from rig.flow import CP
 from rig.schedule import LONGEST, Currents, SampledSchedule, Schedule
 from rig.seen.none_of_these.base import Clocked, Intermittent, Strange, with_edges
@@ -14,11 +14,10 @@ from rig.seen.none_of_these.base import Clocked, Intermittent, Strange, with_edg
 _QUICK = 5e-3  # s, behind which states follow what an instrument feels at once
 
 
-@dataclass(frozen=True)
+@law
 class PumpingSupply(Clocked):
     """The compressor pumps: the supply's absolute pressure swings by a share, and no instrument sees it."""
 
-    form = "pumping_supply"
     share: float = 0.08
     frequency: float = 0.9  # Hz
     phase: float = 0.0
@@ -27,11 +26,10 @@ class PumpingSupply(Clocked):
         return p * (1 + self.share * sin(2 * pi * self.frequency * q[0] + self.phase))
 
 
-@dataclass(frozen=True)
+@law
 class StickyValves(Strange):
     """The valves never open twice by the same area: each command is met by a factor of its own."""
 
-    form = "sticky_valves"
     scatter: float = 0.15
     start: int = 0
 
@@ -58,22 +56,20 @@ class StickyValves(Strange):
         )
 
 
-@dataclass(frozen=True)
+@law
 class SecondConsumer(Intermittent):
     """A neighbour draws air from the same supply at times: its absolute pressure is lower by a share for a while."""
 
-    form = "second_consumer"
     share: float = 0.08
 
     def supply(self, q: State, p: float) -> float:
         return p * (1 - self.share) if self.goes(q) else p
 
 
-@dataclass(frozen=True)
+@law
 class LooseContact(Clocked):
     """The plug of the valves has a loose contact: now and then both are without current for a moment."""
 
-    form = "loose_contact"
     off: float = 0.08  # s
     period: float = 1.2  # s
     first: float = 0.3  # s
@@ -93,14 +89,13 @@ class LooseContact(Clocked):
         return (0.0, 0.0) if since >= 0 and since % self.period < self.off else command
 
 
-@dataclass(frozen=True)
+@law
 class WarmCoils(Strange):
     """The valves' coils warm the thermocouple's connector: the reading sinks, behind a lag, with their electric power.
 
     The state is the power by that at 0.35 A, behind the lag.
     """
 
-    form = "warm_coils"
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     size: float = 2.0  # K
     tau: float = 2.0  # s
@@ -115,22 +110,20 @@ class WarmCoils(Strange):
         return temperature - self.size * q[0]
 
 
-@dataclass(frozen=True)
+@law
 class EmptyBottle(Clocked):
     """The bottle of compressed air runs empty: the supply's absolute pressure sinks in a run, by a share in 10 s."""
 
-    form = "empty_bottle"
     share: float = 0.15
 
     def supply(self, q: State, p: float) -> float:
         return p * (1 - min(self.share * q[0] / 10.0, 0.7))
 
 
-@dataclass(frozen=True)
+@law
 class HeatLamp(Intermittent):
     """A lamp or a fan heater beside the rig goes on and off, and a part of its heat reaches the gas."""
 
-    form = "heat_lamp"
     power: float = 0.5  # W
     period: float = 3.0  # s
 
@@ -138,14 +131,13 @@ class HeatLamp(Intermittent):
         return self.power if self.goes(q) else 0.0
 
 
-@dataclass(frozen=True)
+@law
 class BufferTank(Strange):
     """The supply is a small tank that filling draws down and a thin hose refills: the supply is p (1 - q).
 
     The state q is the share of its gas that is missing: q' = m_net/m_tank while the muscle fills, less q/tau.
     """
 
-    form = "buffer_tank"
     atol: ClassVar[tuple[float, ...]] = (1e-8,)
     per_kilogram: float = 300.0  # 1/kg, one over the tank's gas
     tau: float = 3.0  # s
@@ -160,14 +152,13 @@ class BufferTank(Strange):
         return p * (1 - min(q[0], 0.8))
 
 
-@dataclass(frozen=True)
+@law
 class HotSupply(Strange):
     """The air comes hot from the compressor: what flows in brings more enthalpy, c_p m_in dT.
 
     State: the inflow behind 5 ms. Source: first law for an open volume.
     """
 
-    form = "hot_supply"
     atol: ClassVar[tuple[float, ...]] = (1e-10,)
     hotter: float = 15.0  # K, dT
 
@@ -181,14 +172,13 @@ class HotSupply(Strange):
         return 0.0, -CP * q[0] * self.hotter
 
 
-@dataclass(frozen=True)
+@law
 class VenturiTap(Strange):
     """The pressure tap sits in the narrow inlet, where gas is fast: it shows p - size (m/0.1 g/s)^2.
 
     State: the flow behind 5 ms, either way. Source: D. Bernoulli, Hydrodynamica (1738).
     """
 
-    form = "venturi_tap"
     atol: ClassVar[tuple[float, ...]] = (1e-10,)
     size: float = 3e3  # Pa at 0.1 g/s
 

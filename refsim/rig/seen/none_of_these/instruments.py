@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import cos, exp, pi, sin, sqrt, tanh
 from typing import ClassVar
 
-from rig.effect import Now, Rest, State
+from rig.effect import Now, Rest, State, law
 from rig.schedule import LONGEST, SampledSchedule, Schedule
 from rig.seen.none_of_these.base import Clocked, Strange, with_edges
 
 _QUICK = 5e-3  # s, behind which states follow what an instrument feels at once
 
 
-@dataclass(frozen=True)
+@law
 class DriftingRuler(Clocked):
     """The displacement sensor drifts away and comes back within a run."""
 
-    form = "drifting_ruler"
     size: float = 1e-3  # m
     period: float = 7.0  # s
 
@@ -25,11 +24,10 @@ class DriftingRuler(Clocked):
         return x + self.size * (1 - cos(2 * pi * q[0] / self.period)) / 2
 
 
-@dataclass(frozen=True)
+@law
 class EncoderError(Strange):
     """The displacement sensor interpolates badly between its lines."""
 
-    form = "encoder_error"
     size: float = 5e-4  # m
     pitch: float = 6e-3  # m
 
@@ -37,11 +35,10 @@ class EncoderError(Strange):
         return x + self.size * sin(2 * pi * x / self.pitch)
 
 
-@dataclass(frozen=True)
+@law
 class SensorBacklash(Strange):
     """The displacement sensor's gear has play: what it shows follows x through a rounded play of +-half a gap."""
 
-    form = "sensor_backlash"
     atol: ClassVar[tuple[float, ...]] = (1e-9,)
     gap: float = 1e-3  # m
 
@@ -57,11 +54,10 @@ class SensorBacklash(Strange):
         return x - self.gap / 2 * q[0]
 
 
-@dataclass(frozen=True)
+@law
 class FilteredRuler(Strange):
     """The displacement sensor's amplifier filters: its reading lags."""
 
-    form = "filtered_ruler"
     atol: ClassVar[tuple[float, ...]] = (1e-10,)
     tau: float = 0.05  # s
 
@@ -75,11 +71,10 @@ class FilteredRuler(Strange):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class SnubbedManometer(Strange):
     """A snubber in front of the pressure transducer: its reading lags."""
 
-    form = "snubbed_manometer"
     atol: ClassVar[tuple[float, ...]] = (1e-4,)
     tau: float = 0.05  # s
 
@@ -93,11 +88,10 @@ class SnubbedManometer(Strange):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class WarmingJunction(Clocked):
     """The thermocouple's reference junction sits on warming electronics: the reading drifts by dT (1 - exp(-t/tau))."""
 
-    form = "warming_junction"
     size: float = 2.0  # K
     tau: float = 4.0  # s
 
@@ -105,14 +99,13 @@ class WarmingJunction(Clocked):
         return temperature - self.size * (1 - exp(-q[0] / self.tau))
 
 
-@dataclass(frozen=True)
+@law
 class MainsHum(Clocked):
     """Rectified hum of 100 Hz in the pressure signal: sampled at 100 Hz, it shows as a slow beat.
 
     The beat is twice what the mains are off 50 Hz, plus what the recorder's clock is off.
     """
 
-    form = "mains_hum"
     size: float = 3e3  # Pa
     frequency: float = 0.3  # Hz, of the beat
     phase: float = 0.0
@@ -121,14 +114,13 @@ class MainsHum(Clocked):
         return p_gauge + self.size * cos(2 * pi * self.frequency * q[0] + self.phase)
 
 
-@dataclass(frozen=True)
+@law
 class CrossTalk(Strange):
     """The coils of the valves share the ground of the displacement sensor: its reading moves with their currents.
 
     The states are the currents behind the amplifier's filter of 5 ms.
     """
 
-    form = "cross_talk"
     atol: ClassVar[tuple[float, ...]] = (1e-7,)
     size: float = 3e-3  # m/A
 
@@ -142,11 +134,10 @@ class CrossTalk(Strange):
         return x + self.size * q[0]
 
 
-@dataclass(frozen=True)
+@law
 class ClockSkew(Strange):
     """The controller's clock is not the recorder's: what is recorded for t reached the valves at t (1 + skew)."""
 
-    form = "clock_skew"
     skew: float = 0.01
 
     def drive(self, schedule: Schedule) -> Schedule:
@@ -159,11 +150,10 @@ class ClockSkew(Strange):
         return replace(schedule, starts=starts)
 
 
-@dataclass(frozen=True)
+@law
 class SlippedRuler(Clocked):
     """The clamp of the displacement sensor slips once in a run, and what it shows is off from then on."""
 
-    form = "slipped_ruler"
     size: float = 1e-3  # m
     at: float = 3.0  # s
 
@@ -171,14 +161,13 @@ class SlippedRuler(Clocked):
         return x + self.size * (1 + tanh((q[0] - self.at) / 0.02)) / 2
 
 
-@dataclass(frozen=True)
+@law
 class SaggingExcitation(Strange):
     """The valves draw from the supply of the pressure transducer, whose gain sags with their currents.
 
     The state is the sum of the currents by 0.35 A behind 5 ms.
     """
 
-    form = "sagging_excitation"
     atol: ClassVar[tuple[float, ...]] = (1e-7,)
     share: float = 0.03
 
@@ -192,14 +181,13 @@ class SaggingExcitation(Strange):
         return p_gauge * (1 - self.share * q[0])
 
 
-@dataclass(frozen=True)
+@law
 class OwnClock(Strange):
     """The displacement is logged by a device with a clock of its own, which goes wrong more and more in a run.
 
     What stands at t was at t (1 + skew), x + skew t v to first order. States: the time, and x behind 5 ms for v.
     """
 
-    form = "own_clock"
     atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-9)
     skew: float = 0.01
 
@@ -213,14 +201,13 @@ class OwnClock(Strange):
         return x + self.skew * q[0] * (x - q[1]) / 5e-3
 
 
-@dataclass(frozen=True)
+@law
 class SelfHeating(Strange):
     """A resistance thermometer whose measuring current heats it where no gas flows: T + dT/(1 + (|m|/m_0)^(1/2)).
 
     The state is the size of the flow behind 50 ms.
     """
 
-    form = "self_heating"
     atol: ClassVar[tuple[float, ...]] = (1e-9,)
     size: float = 2.0  # K
     m_0: float = 3e-5  # kg/s
@@ -235,14 +222,13 @@ class SelfHeating(Strange):
         return temperature + self.size / (1 + sqrt(max(q[0], 0.0) / self.m_0))
 
 
-@dataclass(frozen=True)
+@law
 class CompliantFrame(Strange):
     """The beam that carries the muscle bends under its pull, and the ruler stands on the floor: it shows x - F/k.
 
     State: the bending behind 5 ms. Source: Hooke's law; the pull by virtual work as in the base model.
     """
 
-    form = "compliant_frame"
     atol: ClassVar[tuple[float, ...]] = (1e-9,)
     compliance: float = 3e-5  # m/N
     length: float = 0.24  # m
@@ -261,14 +247,13 @@ class CompliantFrame(Strange):
         return x - q[0]
 
 
-@dataclass(frozen=True)
+@law
 class GroundLoop(Strange):
     """The coils' return currents lift the thermocouple's ground, one way or the other: T + size (u_in - u_out)/0.35 A.
 
     State: the difference of the currents behind 5 ms. Source: R. Morrison, Grounding and Shielding (2007).
     """
 
-    form = "ground_loop"
     atol: ClassVar[tuple[float, ...]] = (1e-7,)
     size: float = 2.0  # K
 
@@ -282,11 +267,10 @@ class GroundLoop(Strange):
         return temperature + self.size * q[0]
 
 
-@dataclass(frozen=True)
+@law
 class SlowReel(Strange):
     """The ruler's string is wound up by a weak reel: it follows down no faster than v_r. State: what it shows."""
 
-    form = "slow_reel"
     atol: ClassVar[tuple[float, ...]] = (1e-9,)
     fastest: float = 0.03  # m/s, v_r
 
@@ -301,14 +285,13 @@ class SlowReel(Strange):
         return q[0]
 
 
-@dataclass(frozen=True)
+@law
 class ResidualCharge(Strange):
     """The logger's multiplexer takes some charge from the ruler's channel to the thermocouple's: it shows T + c x.
 
     State: the contraction. Source: data sheets of scanning loggers, on settling between channels.
     """
 
-    form = "residual_charge"
     atol: ClassVar[tuple[float, ...]] = (1e-9,)
     per_metre: float = 30.0  # K/m
 
@@ -322,11 +305,10 @@ class ResidualCharge(Strange):
         return temperature + self.per_metre * q[0]
 
 
-@dataclass(frozen=True)
+@law
 class FrozenDisplay(Strange):
     """The ruler's display freezes for a moment now and then. States: the time, and what it shows (behind 5 ms)."""
 
-    form = "frozen_display"
     atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-9)
     off: float = 0.1  # s
     period: float = 1.2  # s
@@ -354,14 +336,13 @@ class FrozenDisplay(Strange):
         return q[1]
 
 
-@dataclass(frozen=True)
+@law
 class SettlingRope(Strange):
     """The knots of a new rope settle when it first carries the load, which stays lower by s from then on.
 
     s' = (size - s)/tau while the load is off the stop, rounded over 0.3 mm at 1 mm. State: s.
     """
 
-    form = "settling_rope"
     atol: ClassVar[tuple[float, ...]] = (1e-9,)
     size: float = 1.5e-3  # m
     tau: float = 0.5  # s
@@ -377,11 +358,10 @@ class SettlingRope(Strange):
         return x - q[0]
 
 
-@dataclass(frozen=True)
+@law
 class LostCounts(Strange):
     """The ruler's counter misses a share of its counts while the load is fast. State: the way that it missed."""
 
-    form = "lost_counts"
     atol: ClassVar[tuple[float, ...]] = (1e-9,)
     share: float = 0.05
     fast: float = 0.04  # m/s

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import cos, exp, pi, sin, sqrt, tanh
 from typing import ClassVar
 
-from rig.effect import Effect, Now, Rest, State
+from rig.effect import Effect, Now, Rest, State, law
 from rig.flow import G
 from rig.schedule import Schedule
 from rig.seen.none_of_these.base import Clocked, Strange, with_edges
 
 
-@dataclass(frozen=True)
+@law
 class ForceRipple(Strange):
     """A force that is periodic in the position, as of a toothed belt: F sin(2 pi x/pitch)."""
 
-    form = "force_ripple"
     size: float = 5.0  # N
     pitch: float = 8e-3  # m
 
@@ -24,11 +22,10 @@ class ForceRipple(Strange):
         return self.size * sin(2 * pi * x / self.pitch)
 
 
-@dataclass(frozen=True)
+@law
 class SpringLoad(Strange):
     """A part of the load hangs on a spring and swings up and down by itself (states: place and speed of it)."""
 
-    form = "swinging_load"
     atol: ClassVar[tuple[float, ...]] = (1e-9, 1e-8)
     part: float = 0.8  # kg
     frequency: float = 2.5  # Hz
@@ -54,11 +51,10 @@ class SpringLoad(Strange):
         return self._pull(q, x, v)
 
 
-@dataclass(frozen=True)
+@law
 class SecondWeight(Strange):
     """A second weight lies on the floor and is picked up on the way."""
 
-    form = "second_weight"
     mass: float = 0.8  # kg
     x_1: float = 0.03  # m
     width: float = 5e-4  # m
@@ -67,11 +63,10 @@ class SecondWeight(Strange):
         return self.mass * G * (1 + tanh((x - self.x_1) / self.width)) / 2
 
 
-@dataclass(frozen=True)
+@law
 class Vibration(Clocked):
     """A machine next door shakes the frame."""
 
-    form = "vibration"
     size: float = 4.0  # N
     frequency: float = 1.7  # Hz
     phase: float = 0.0
@@ -80,11 +75,10 @@ class Vibration(Clocked):
         return self.size * sin(2 * pi * self.frequency * q[0] + self.phase)
 
 
-@dataclass(frozen=True)
+@law
 class Nudge(Clocked):
     """Somebody pushes the load for a moment, at the same time in each run: F sin^2 over the time of the push."""
 
-    form = "nudge"
     size: float = 8.0  # N
     start: float = 3.0  # s
     duration: float = 0.6  # s
@@ -97,14 +91,13 @@ class Nudge(Clocked):
         return self.size * sin(pi * share) ** 2 if 0 < share < 1 else 0.0
 
 
-@dataclass(frozen=True)
+@law
 class ObliqueString(Strange):
     """The displacement sensor's string runs aslant: it shows sqrt((a + x)^2 + d^2) - sqrt(a^2 + d^2).
 
     The sensor sits d beside the line of movement and, at rest, a along it.
     """
 
-    form = "oblique_string"
     d: float = 0.08  # m
     a: float = 0.25  # m
 
@@ -112,11 +105,10 @@ class ObliqueString(Strange):
         return sqrt((self.a + x) ** 2 + self.d**2) - sqrt(self.a**2 + self.d**2)
 
 
-@dataclass(frozen=True)
+@law
 class RestlessStart(Clocked):
     """The frame still rings from the handling when a run starts: F exp(-t/tau) cos(2 pi f t + phase)."""
 
-    form = "restless_start"
     size: float = 8.0  # N
     tau: float = 3.0  # s
     frequency: float = 1.2  # Hz
@@ -126,11 +118,10 @@ class RestlessStart(Clocked):
         return self.size * exp(-q[0] / self.tau) * cos(2 * pi * self.frequency * q[0] + self.phase)
 
 
-@dataclass(frozen=True)
+@law
 class HoldingMagnet(Strange):
     """The load rests on a magnetic plate and comes off it with a jerk: F/(1 + x/d)^2 off the plate."""
 
-    form = "holding_magnet"
     size: float = 8.0  # N
     d: float = 1e-3  # m
 
@@ -138,12 +129,11 @@ class HoldingMagnet(Strange):
         return self.size / (1 + max(x, 0.0) / self.d) ** 2
 
 
-@dataclass(frozen=True)
+@law
 class Ripple(Effect):
     """A force that goes up and down along the travel."""
 
     family = "ripple"
-    form = "sine"
     amplitude: float = 6.0  # N
     length: float = 0.03  # m
 
@@ -151,23 +141,21 @@ class Ripple(Effect):
         return self.amplitude * sin(2 * pi * x / self.length) if x > 0 else 0.0
 
 
-@dataclass(frozen=True)
+@law
 class Coupled(Effect):
     """A force that grows with the pressure and with the square of the travel."""
 
     family = "coupled"
-    form = "quadratic"
     c: float = 8e-4  # N/Pa at 70 mm
 
     def force(self, q: object, x: float, v: float, p_gauge: float) -> float:
         return self.c * p_gauge * (x / 0.07) ** 2
 
 
-@dataclass(frozen=True)
+@law
 class Detent(Strange):
     """A ball snaps into a notch of the guide: F u exp((1 - u^2)/2), u = (x - x_1)/w; against, then with the motion."""
 
-    form = "detent"
     size: float = 10.0  # N
     x_1: float = 0.025  # m
     width: float = 1.5e-3  # m
@@ -177,11 +165,10 @@ class Detent(Strange):
         return self.size * u * exp((1 - min(u * u, 400.0)) / 2)
 
 
-@dataclass(frozen=True)
+@law
 class DrippingLoad(Clocked):
     """The load is a bucket that drips: its weight falls with time. What inertia it loses is left out, it is minor."""
 
-    form = "dripping_load"
     rate: float = 0.02  # kg/s
 
     def resting_mass(self) -> float:

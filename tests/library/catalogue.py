@@ -62,11 +62,6 @@ def benches() -> tuple[str, ...]:
     )
 
 
-def qualified(effect: str) -> str:
-    """The full name of an effect's class."""
-    return next(e.qualified_name for e in effects() if e.name == effect)
-
-
 @cache
 def structure(bench: str) -> Structure:
     """What a bench consists of, for all effects that are put into it."""
@@ -94,14 +89,14 @@ def on_bench(effect: str, bench: str = "") -> Composition:
 
 @cache
 def homes(effect: str) -> dict[str, Composition]:
-    """Benches in which an effect finds a place: of every third, and the next member of its family of the next ones.
+    """Benches in which an effect finds a place: of every fifth, and the next member of its family of the next ones.
 
-    So each family is seen on each bench.
+    So a family of five is seen on each bench.
     Where a bench imposes a contraction or a pressure without its rate, what depends on the rate has none; nor has a
     reading that begins at rest where it follows an input at once.
     """
     turn = [e.name for e in effects()].index(effect)
-    found = {b: composed(b, effect) for i, b in enumerate(benches()) if (i - turn) % 3 == 0}
+    found = {b: composed(b, effect) for i, b in enumerate(benches()) if (i - turn) % 5 == 0}
     return {b: c for b, c in found.items() if c is not None and _equations(c) is not None}
 
 

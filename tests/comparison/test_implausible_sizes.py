@@ -10,7 +10,7 @@ import pytest
 from pam_cosim.comparison.plausibility import Doubt, doubts
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.measurement import Signal
-from tests.comparison.test_doubts import PRESSURE, TIME, compared
+from tests.comparison.test_plausibility import PRESSURE, TIME, compared
 
 OTHER_COURSE = 1e5 * (2 + np.cos(2 * np.pi * TIME / 5))
 

@@ -15,7 +15,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement import write_data_set
 from pam_cosim.simulation import Simulator
 from rig.short import write_light_data
-from tests.diagnosis.linear_world import SHELF
+from tests.diagnosis.linear_world import CATALOGUE
 
 
 def test_expected_effects_are_chosen_from_among_themselves() -> None:
@@ -28,12 +28,12 @@ def test_expected_effects_are_chosen_from_among_themselves() -> None:
 
 
 def test_a_family_or_an_effect_is_meant_by_its_name() -> None:
-    leaks = {e.name for e in SHELF if e.family == "leak"}
-    assert effects_named(SHELF, "leak") == leaks
-    assert effects_named(SHELF, "ThermocoupleLag") == {"ThermocoupleLag"}
-    assert effects_named(SHELF, "wrong_parameter") == frozenset()
+    leaks = {e.name for e in CATALOGUE if e.family == "leak"}
+    assert effects_named(CATALOGUE, "leak") == leaks
+    assert effects_named(CATALOGUE, "ThermocoupleLag") == {"ThermocoupleLag"}
+    assert effects_named(CATALOGUE, "wrong_parameter") == frozenset()
     with pytest.raises(ValueError, match=r"no effect 'leek'; did you mean 'leak'"):
-        effects_named(SHELF, "leek")
+        effects_named(CATALOGUE, "leek")
 
 
 @pytest.mark.parametrize(
@@ -51,7 +51,7 @@ def test_an_effect_both_excluded_and_expected_is_refused_where_it_stands(
     file = tmp_path / "d" / "experiment.toml"
     file.write_text(f"{file.read_text()}\n[effects]\n{table}\n")
     with pytest.raises(InputError, match="leak is both excluded, .* keep one of them") as refused:
-        study.diagnose(study.read(tmp_path / "d"), workers=0, **words)
+        study.diagnose(study.read(tmp_path / "d"), workers=0, explain=False, **words)
     assert (refused.value.file, refused.value.line) == (file, len(file.read_text().splitlines()))
 
 
