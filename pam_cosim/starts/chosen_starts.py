@@ -248,15 +248,18 @@ class StartChoice:
 
 
 def _explains(probe: StartProbe, start: InitialState) -> bool:
-    """Whether all signals are much nearer to their first samples from there: a missing force would remain."""
+    """Whether the signals are much nearer to their first samples from there: a missing force would remain.
+
+    By their orders of magnitude: a temperature that the model cannot meet anyway does not outweigh a pressure.
+    """
     aims = np.array([sample.value for sample in probe.first.values()])
     noise = np.array([probe.data.signals[name].sigma for name in probe.signals])
 
-    def squares(begin: InitialState) -> float:
+    def misfit(begin: InitialState) -> float:
         signals = probe.at(begin.values, begin.settle)[0][: len(aims)]
-        return float(np.sum(((signals - aims) / noise) ** 2))
+        return float(np.sum(np.log1p(((signals - aims) / noise) ** 2)))
 
-    return squares(InitialState()) > CRITERIA.starts.worth * squares(start)
+    return misfit(InitialState()) > np.log(CRITERIA.starts.worth) + misfit(start)
 
 
 def _first_samples_text(run: Run, offsets: Sequence[FirstOffset]) -> str:
