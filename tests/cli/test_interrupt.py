@@ -111,11 +111,6 @@ def measured(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 MOMENTS = {
-    "sweep, while it loads": (
-        ["sweep", "Isotonic", "--vary", "load.m=1:9:3", "-o", "out"],
-        loading,
-        0.0,
-    ),
     "simulate": (["simulate", "Isotonic", "--stop-time", "3e4", "-o", "out"], simulating, 0.3),
     "sweep": (["sweep", "Isotonic", "--vary", "load.m=1:9:200000", "-o", "out"], kept, 0.3),
     "fit": (["fit", "data", "--method", "particle-swarm", "-o", "out"], simulating, 0.2),

@@ -17,8 +17,12 @@ from tests.library.family_shares import (
     table,
 )
 
-HARDEST = {s.effect: s for s in sorted(read_results(), key=lambda s: s.left) if s.size > LEAST_SIZE}
-"""Of each general and flexible member the form of its family of which it leaves most."""
+HARDEST = {
+    s.family: s
+    for s in sorted(read_results(), key=lambda s: s.left)
+    if s.size > LEAST_SIZE and s.effect.startswith("General")
+}
+"""Of each family the form of which a general member leaves most."""
 
 
 def test_the_page_shows_what_was_measured() -> None:
@@ -34,8 +38,8 @@ def test_every_form_is_reached_by_a_general_member() -> None:
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("known", HARDEST.values(), ids=lambda known: known.effect)
-def test_a_member_takes_away_what_it_takes_least_of(known: Share) -> None:
+@pytest.mark.parametrize("known", HARDEST.values(), ids=lambda known: known.family)
+def test_a_general_member_takes_away_what_it_takes_least_of(known: Share) -> None:
     (form,) = [f for f in FORMS if f.name == known.form]
     (share,) = shares(form, [known.effect])
-    assert share.left < max(ENOUGH, 1.2 * known.left)
+    assert share.left < ENOUGH

@@ -66,7 +66,6 @@ def test_a_fault_is_measured(tmp_path: Path, fault: Fault) -> None:
 
 NAMED: dict[tuple[Fault, ...], str] = {
     (OffsetAndGain("x", 1e-3, 1.04),): "position_sensor",
-    (ClockOffset(-0.04),): "clock_offset",
     (Saturation("p", high=60e3),): "saturation",
     (Offset("p", 101_325.0),): "pressure_offset",  # an absolute pressure, recorded as gauge
 }
