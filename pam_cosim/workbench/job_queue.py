@@ -59,6 +59,7 @@ class StudyWithJobs(OpenStudy):
         windows: that show it; default: none yet.
         workers: number of processes of a diagnosis, as for ``study.diagnose``.
         worker: the process in which it fits, if there is one already; it ends with the study.
+        complete: as for ``OpenStudy``.
 
     Raises:
         InputError: the data set cannot be read.
@@ -73,10 +74,11 @@ class StudyWithJobs(OpenStudy):
         windows: Windows | None = None,
         workers: int | None = None,
         worker: Worker | None = None,
+        complete: bool = False,
     ) -> None:
         self.worker, self.workers = worker or Worker(), workers
         self.job: Job | None = None
-        super().__init__(folder, model, files, windows or Windows())
+        super().__init__(folder, model, files, windows or Windows(), complete)
 
     def close(self) -> None:
         """Ends everything; nothing is saved by it."""
