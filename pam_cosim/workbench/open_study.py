@@ -55,7 +55,12 @@ class OpenStudy:
     """
 
     def __init__(
-        self, folder: Path, model: str | None, files: Sequence[Path], windows: Windows, complete: bool
+        self,
+        folder: Path,
+        model: str | None,
+        files: Sequence[Path],
+        windows: Windows,
+        complete: bool,
     ) -> None:
         self.complete = complete
         self.folder, self.windows = Path(folder), windows
@@ -81,9 +86,9 @@ class OpenStudy:
             raise
 
     def _begin(self, model: str | None) -> None:
-        data, known = self.source.read(model)
+        data, values = self.source.read(model)
         self.benches = self.catalogue.benches(data.model)
-        self.first = self.state = State(data, data.model_for(model), known=known)
+        self.first = self.state = State(data, data.model_for(model), known=values)
         self.back(self.state)
 
     def close(self) -> None:
@@ -205,14 +210,18 @@ class OpenStudy:
         Raises:
             InputError: there is no such run, or what was before its first sample determines where it begins.
         """
-        recordings = {one.name: one for one in self.state.data.runs if not one.is_static}
+        recordings = {
+            run_data.name: run_data for run_data in self.state.data.runs if not run_data.is_static
+        }
         recording = recordings[one_of(run, recordings, "recording")]
-        found = courses(recording, self.state, self.opened, self.simulated.starts, only_start=True)
-        if not found:
+        trajectories = courses(
+            recording, self.state, self.opened, self.simulated.starts, only_start=True
+        )
+        if not trajectories:
             raise InputError(
                 f"{run} begins as what was before its first sample says: choose how it begins first"
             )
-        return {f"{name}@{run}": float(values[0]) for name, values in found.items()}
+        return {f"{name}@{run}": float(values[0]) for name, values in trajectories.items()}
 
     def _draw(self, state: State, runs: Sequence[RunComparison]) -> None:
         self.version += 1
@@ -249,7 +258,9 @@ class OpenStudy:
 
     def tell_starts(self) -> None:
         """Sends where runs begin."""
-        self.windows.tell(self._starts.event(self.state, self.opened, self.simulated.starts, self.version))
+        self.windows.tell(
+            self._starts.event(self.state, self.opened, self.simulated.starts, self.version)
+        )
 
     def shown_study(self) -> Json:
         """The event of what changes seldom."""

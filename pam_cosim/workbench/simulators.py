@@ -56,7 +56,9 @@ class Simulators:
             self._instances.append(self._another())
 
         def simulated_part(i: int) -> list[RunResult]:
-            return [_simulated(self._instances[i], data, values, run) for run in data.runs[i::count]]
+            return [
+                _simulated(self._instances[i], data, values, run) for run in data.runs[i::count]
+            ]
 
         further_parts = [self._threads.submit(simulated_part, i) for i in range(1, count)]
         try:

@@ -156,8 +156,8 @@ def scores_event(
         scores={role: now[role] for role in ROLES},
         runs={
             r.run.name: {
-                name: one.rmse * readable_factor(signals[name].unit)
-                for name, one in score([r], signals).items()
+                name: signal_score.rmse * readable_factor(signals[name].unit)
+                for name, signal_score in score([r], signals).items()
             }
             for r in comparison.runs
         },

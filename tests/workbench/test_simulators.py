@@ -65,7 +65,9 @@ def test_runs_come_back_in_their_order_and_all_instances_are_freed(made: list[In
     assert all(instance.closed for instance in made)
 
 
-def test_a_run_that_breaks_down_is_named_and_leaves_no_instance_at_work(made: list[Instance]) -> None:
+def test_a_run_that_breaks_down_is_named_and_leaves_no_instance_at_work(
+    made: list[Instance],
+) -> None:
     together = several(made)
     data = recordings(4)
     for _ in range(3):
