@@ -71,7 +71,7 @@ def rig_parts(tree: ClassTree) -> list[BenchPart]:
             for sibling in parts
             if (sibling.role, sibling.library) == (part.role, part.library)
         ]
-        is_usual = part.usual and not any(one.usual for one in same)
+        is_usual = part.usual and not any(sibling.usual for sibling in same)
         parts.append(part if part.usual == is_usual else replace(part, usual=False))
     return parts
 

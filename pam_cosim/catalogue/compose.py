@@ -105,13 +105,13 @@ class _Draft:
 
     def state(self, parameter: str, value: float) -> None:
         """Gives a parameter, by its full name, a value [its unit]."""
-        own = next((c for c in self.components if c.name == names.parts(parameter)[0]), None)
+        component = next((c for c in self.components if c.name == names.parts(parameter)[0]), None)
         if parameter in self.names:  # of the model itself; a flat one has dots in its names
             self.values.append(("", f"{names.identifier(parameter)}={value!r}"))
-        elif own is None:
+        elif component is None:
             self.values.append(_modification(parameter, value))
         else:
-            own.values.append(_modification(".".join(names.parts(parameter)[1:]), value))
+            component.values.append(_modification(".".join(names.parts(parameter)[1:]), value))
 
     def _check_surroundings(self, effect: EffectClass) -> None:
         """Raises NoPlace unless the model declares what the effect takes from its surroundings."""
@@ -333,14 +333,19 @@ def _effects_of(tree: ClassTree, structure: Structure, wanted: Sequence[str]) ->
     Raises:
         InputError: there is no such effect; NoPlace: it is of another library than the model.
     """
-    own, every = origins(structure.parts), [*effect_classes(tree), *unknown_terms(tree)]
-    known = {e.name: e for e in every if e.library in own} | {e.qualified_name: e for e in every}
-    for one in wanted:
-        if one not in known and one not in {e.name for e in every}:
-            raise InputError(f"there is no effect '{one}'; 'pam-cosim effects' lists them")
-        if one not in known:
-            raise NoPlace(f"{one} is an effect of another library than {structure.model}")
-    return [known[one] for one in wanted]
+    library_origins, classes = (
+        origins(structure.parts),
+        [*effect_classes(tree), *unknown_terms(tree)],
+    )
+    classes_by_name = {e.name: e for e in classes if e.library in library_origins} | {
+        e.qualified_name: e for e in classes
+    }
+    for name in wanted:
+        if name not in classes_by_name and name not in {e.name for e in classes}:
+            raise InputError(f"there is no effect '{name}'; 'pam-cosim effects' lists them")
+        if name not in classes_by_name:
+            raise NoPlace(f"{name} is an effect of another library than {structure.model}")
+    return [classes_by_name[name] for name in wanted]
 
 
 def _nested(modifications: Sequence[tuple[str, str]]) -> list[str]:

@@ -48,10 +48,10 @@ def vocabulary_of(tree: ClassTree, model: str | None = None) -> Vocabulary:
         ModelError: as ``domain_of``.
     """
     name = (_class_in(tree, model) if is_modelica(model) else model) if model else ""
-    own = list(_records(tree, _origins(tree, name), Vocabulary))
-    together = own[:1] or list(_records(tree, libraries(tree)[::-1], Vocabulary))
+    vocabularies = list(_records(tree, _origins(tree, name), Vocabulary))
+    together = vocabularies[:1] or list(_records(tree, libraries(tree)[::-1], Vocabulary))
     joined: dict[str, Any] = {
-        field.name: tuple(row for one in together for row in getattr(one, field.name))
+        field.name: tuple(row for vocabulary in together for row in getattr(vocabulary, field.name))
         for field in fields(Vocabulary)
     }
     return Vocabulary(**joined)

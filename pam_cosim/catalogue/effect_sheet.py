@@ -63,9 +63,9 @@ class EffectParameter(Printed):
         parts = [f"{self.name}{default} [{self.unit or '1'}]{ends}: {self.description}"]
         if self.typical:
             parts.append("typical {:g} to {:g}".format(*self.typical))
-        for end, left in (("minimum", self.at_min), ("maximum", self.at_max)):
-            if left is not None:
-                parts.append(f"at its {end}: {left or 'nothing'}")
+        for end, limit_value in (("minimum", self.at_min), ("maximum", self.at_max)):
+            if limit_value is not None:
+                parts.append(f"at its {end}: {limit_value or 'nothing'}")
         if self.limit:
             parts.append(f"{self.limit[0]} all that {self.limit[1]} shows")
         return "; ".join(parts)
@@ -153,13 +153,16 @@ def effect_sheet(
 def equations(tree: ClassTree, effect: EffectClass) -> tuple[str, ...]:
     """The equations of an effect and of the effects that it extends, a line each: of its variables, then as written."""
     classes = [effect.qualified_name, *tree.bases(effect.qualified_name)]
-    own = [c for c in reversed(classes) if is_effect([c, *tree.bases(c)])]
+    effect_bases = [c for c in reversed(classes) if is_effect([c, *tree.bases(c)])]
     lines = [
         f"{c.name} = {c.value};"
         for c in tree.components(effect.qualified_name)
-        if c.value and c.owner in own and "parameter" not in c.prefixes and c.type not in _WORDS
+        if c.value
+        and c.owner in effect_bases
+        and "parameter" not in c.prefixes
+        and c.type not in _WORDS
     ]
-    texts = [dedent(text) for name in own for text in _written_equations(tree, name)]
+    texts = [dedent(text) for name in effect_bases for text in _written_equations(tree, name)]
     return (*lines, *(line for text in texts for line in _DRAWN.sub("", text).splitlines() if line))
 
 
@@ -169,8 +172,10 @@ def _written_equations(tree: ClassTree, name: str) -> list[str]:
         text = Path(tree.classes[name].file).read_text(encoding="utf-8")
     except OSError:
         return []
-    own = re.search(rf"\b(?:model|block|class)\s+{short}\b.*?\bend\s+{short}\s*;", text, re.S)
-    return _EQUATIONS.findall(own.group() if own else "")
+    declaration = re.search(
+        rf"\b(?:model|block|class)\s+{short}\b.*?\bend\s+{short}\s*;", text, re.S
+    )
+    return _EQUATIONS.findall(declaration.group() if declaration else "")
 
 
 def paragraphs(effect: EffectClass) -> tuple[str, ...]:
@@ -181,14 +186,14 @@ def paragraphs(effect: EffectClass) -> tuple[str, ...]:
 
 def source(texts: Sequence[str]) -> str:
     """Where a law comes from, of the paragraphs of its documentation."""
-    found = next(filter(None, map(_SOURCE.search, texts)), None)
-    return "" if found is None else found.group(1)
+    match = next(filter(None, map(_SOURCE.search, texts)), None)
+    return "" if match is None else match.group(1)
 
 
 def fingerprint(texts: Sequence[str]) -> str:
     """What an effect changes in a measurement, of the paragraphs of its documentation."""
-    found = next((text for text in texts if text.startswith(_FINGERPRINT)), "")
-    return found.removeprefix(_FINGERPRINT).strip()
+    fingerprint = next((text for text in texts if text.startswith(_FINGERPRINT)), "")
+    return fingerprint.removeprefix(_FINGERPRINT).strip()
 
 
 def _parameters(tree: ClassTree, effect: EffectClass) -> tuple[EffectParameter, ...]:

@@ -123,9 +123,9 @@ def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
             )
         sayings[saying] = value
     declared = [c for c in tree.components(name) if is_effect([c.owner, *tree.bases(c.owner)])]
-    own = [c for c in declared if _is_open(c)]
+    open_parameters = [c for c in declared if _is_open(c)]
     absent = _absent(str(tree.constant(name, "absent") or ""), info.file, info.line)
-    simpler = {c.name: _simpler(c, absent, info.file) for c in own}
+    simpler = {c.name: _simpler(c, absent, info.file) for c in open_parameters}
     return EffectClass(
         name=short,
         qualified_name=name,
@@ -133,17 +133,19 @@ def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
         balance=sayings["balance"],
         description=info.description,
         documentation=info.documentation,
-        parameters=tuple(c.name for c in own),
+        parameters=tuple(c.name for c in open_parameters),
         component_name=component_name(short, info.annotations.get("defaultComponentName", "")),
         file=Path(info.file),
         general=bool(tree.constant(name, "general")),
         library=library,
         absent=absent,
-        typical={c.name: _typical(c, info.file) for c in own if _TYPICAL in c.own_annotation},
-        simpler={name: left for name, left in simpler.items() if left != (None, None)},
+        typical={
+            c.name: _typical(c, info.file) for c in open_parameters if _TYPICAL in c.own_annotation
+        },
+        simpler={name: bounds for name, bounds in simpler.items() if bounds != (None, None)},
         limits={
             c.name: (side, _text_entry(c, side, "a signal", info.file))
-            for c in own
+            for c in open_parameters
             for side in _LIMITS
             if side in c.own_annotation
         },
@@ -187,9 +189,11 @@ def _text_entry(parameter: ComponentInfo, entry: str, kind: str, file: Path | st
 def _check_simpler(tree: ClassTree, effect: EffectClass, known: Collection[str]) -> None:
     """Raises ModelError where a parameter names a simpler effect that the library has not."""
     for parameter in tree.components(effect.qualified_name):
-        for bound, left in zip(_AT_BOUNDS, effect.simpler.get(parameter.name, ()), strict=False):
-            if left and left not in known:
-                says = f"{bound} of {parameter.name} names {left}, which is no effect of {effect.library}"
+        for bound, simpler_effect in zip(
+            _AT_BOUNDS, effect.simpler.get(parameter.name, ()), strict=False
+        ):
+            if simpler_effect and simpler_effect not in known:
+                says = f"{bound} of {parameter.name} names {simpler_effect}, which is no effect of {effect.library}"
                 raise ModelError(says, effect.file, parameter.line)
 
 

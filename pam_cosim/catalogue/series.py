@@ -72,10 +72,10 @@ def series_text(tree: ClassTree, name: str, of: Channel, laws: Sequence[Law]) ->
     lines = [f"model {name} {string_text(way)}", f"  extends {of.interface};"]
     components, signal = [], of.input
     for law in laws:
-        own = own_parameters(tree, law.type, of)
-        lines += [f"  {_declaration(tree, law.type, c)};" for c in own]
+        law_parameters = own_parameters(tree, law.type, of)
+        lines += [f"  {_declaration(tree, law.type, c)};" for c in law_parameters]
         bindings = [f"{of.input}={signal}", *(f"{n}={n}" for n in of.parameters)]
-        bindings += [f"{c.name}={c.name}" for c in own]
+        bindings += [f"{c.name}={c.name}" for c in law_parameters]
         components.append(
             f"  {law.written} {law.name}({', '.join(bindings)}) {string_text(law.description)};"
         )

@@ -46,7 +46,7 @@ def with_compiler(command: Callable[..., None]) -> Callable[..., None]:
         command(**given)
 
     called.__signature__ = stated.replace(parameters=parameters)  # type: ignore[attr-defined]
-    called.__annotations__ = {one.name: one.annotation for one in parameters}
+    called.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
     return called
 
 

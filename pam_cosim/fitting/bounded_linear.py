@@ -72,9 +72,9 @@ def _in_scale(
     x: Array = np.clip(np.zeros(len(size)), low, high)
     moved = (size > 0) & (low < high)
     if moved.any():
-        own = size[moved]
-        scaled = solve(moved, x, own, (low[moved] * own, high[moved] * own))
-        x[moved] = np.clip(scaled / own, low[moved], high[moved])
+        moved_size = size[moved]
+        scaled = solve(moved, x, moved_size, (low[moved] * moved_size, high[moved] * moved_size))
+        x[moved] = np.clip(scaled / moved_size, low[moved], high[moved])
     return x
 
 

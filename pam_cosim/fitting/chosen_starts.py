@@ -59,9 +59,9 @@ def _remaining_squares(
     """What the free parameters leave within their bounds, and an offset of each signal where runs begin at rest."""
     begun = [replace(run, start=replace(run.start, mode=mode)) for run in runs]
     declared = base_parameters(data, simulator.interface)
-    free = [one for one in declared if one.name not in stated]
+    free = [state for state in declared if state.name not in stated]
     objective = Objective(simulator, data, begun, free, stated)
-    z = np.array([one.to_z(one.start) for one in free])
+    z = np.array([state.to_z(state.start) for state in free])
     linear = linearised(objective, z, _every_row(objective))
     if linear is None:
         raise SimulationFailure(objective.first_failure)

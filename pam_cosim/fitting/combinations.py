@@ -81,8 +81,8 @@ def combinations(
             apart = np.linalg.norm(by_logarithm[:, i] - sign * by_logarithm[:, j])
             is_parallel = apart < _PARALLEL_SLOPES * size[i]
             if is_parallel and _changes_nothing(objective, z, i, j, -sign):
-                others = [j, *(k for k in open_ones if k != i)]
-                deviation = spread * _deviation(by_logarithm, i, others)
+                correlated = [j, *(k for k in open_ones if k != i)]
+                deviation = spread * _deviation(by_logarithm, i, correlated)
                 made.append(_combination(list(parameters.items()), i, j, kind, deviation))
     return tuple(made)
 

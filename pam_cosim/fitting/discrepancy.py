@@ -61,15 +61,15 @@ def discrepancies(
         freedom: number of parameters that the fitted runs determine.
         predicted: name of the run that is predicted: it says nothing of its own error, unless it is the only one.
     """
-    found = {name: _residuals(runs, signal, predicted) for name, signal in signals.items()}
-    pieces = {name: sum(own.pieces for own in parts) for name, parts in found.items()}
-    fitted = {name for name, parts in found.items() if parts and signals[name].fitted}
-    every = sum(pieces[name] for name in fitted if not found[name][0].held_out)
+    residuals = {name: _residuals(runs, signal, predicted) for name, signal in signals.items()}
+    pieces = {name: sum(residual.pieces for residual in parts) for name, parts in residuals.items()}
+    fitted = {name for name, parts in residuals.items() if parts and signals[name].fitted}
+    fitted_pieces = sum(pieces[name] for name in fitted if not residuals[name][0].held_out)
     result = {}
-    for name, parts in found.items():
+    for name, parts in residuals.items():
         if parts:
             mixed = name in fitted and not parts[0].held_out
-            spent = freedom * pieces[name] / every if mixed else 0.0
+            spent = freedom * pieces[name] / fitted_pieces if mixed else 0.0
             result[name] = _estimate(parts, pieces[name], spent)
     return result
 
@@ -98,10 +98,10 @@ def _residuals(runs: Sequence[RunComparison], signal: Signal, predicted: str) ->
         if not r.run.is_static and r.run.sample_count(signal.name) > CRITERIA.residuals.lags
     ]
     for role in ("holdout", "fit"):
-        own = [r for r in usable if r.run.role == role]
-        others = [r for r in own if r.run.name != predicted]
-        if others or (role == "fit" and own):
-            return [_residual(r, signal) for r in others or own]
+        runs_of_role = [r for r in usable if r.run.role == role]
+        training_runs = [r for r in runs_of_role if r.run.name != predicted]
+        if training_runs or (role == "fit" and runs_of_role):
+            return [_residual(r, signal) for r in training_runs or runs_of_role]
     return []
 
 
@@ -138,10 +138,14 @@ def _estimate(parts: Sequence[_Residual], pieces: float, spent: float) -> Discre
     variance = max(sum(p.excess for p in parts), 0.0) / samples
     weights = power if sum(power) else [1.0] * len(parts)
     memory = float(np.average([p.memory for p in parts], weights=weights))
-    left = max(pieces - spent, 1.0)
+    degrees_of_freedom = max(pieces - spent, 1.0)
     names = tuple(p.run for p in parts)
     return Discrepancy(
-        sqrt(variance * max(pieces / left, 1.0)), memory, left, names, parts[0].held_out
+        sqrt(variance * max(pieces / degrees_of_freedom, 1.0)),
+        memory,
+        degrees_of_freedom,
+        names,
+        parts[0].held_out,
     )
 
 

@@ -102,9 +102,9 @@ def estimates(
         value = f.to_value(float(z[i]))
         lower = f.to_value(float(max(z[i] - reach, low[i])))
         upper = f.to_value(float(min(z[i] + reach, high[i])))
-        whole = z[i] - reach <= low[i] and z[i] + reach >= high[i]
+        covers_range = z[i] - reach <= low[i] and z[i] + reach >= high[i]
         by_name[f.name] = Estimate(
-            value, lower, upper, f.unit, bool(bound[i]), not whole, False, f.run, f.prior
+            value, lower, upper, f.unit, bool(bound[i]), not covers_range, False, f.run, f.prior
         )
     return by_name
 

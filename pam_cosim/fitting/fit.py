@@ -165,11 +165,11 @@ class Fit(Printed, Tabular):
         estimates = self.parameters.values()
         return {
             "parameter": (list(self.parameters), None),
-            "unit": ([one.unit for one in estimates], None),
-            "value": ([one.value for one in estimates], None),
-            "low": ([one.low for one in estimates], None),
-            "high": ([one.high for one in estimates], None),
-            "determined": ([one.determined for one in estimates], None),
+            "unit": ([estimate.unit for estimate in estimates], None),
+            "value": ([estimate.value for estimate in estimates], None),
+            "low": ([estimate.low for estimate in estimates], None),
+            "high": ([estimate.high for estimate in estimates], None),
+            "determined": ([estimate.determined for estimate in estimates], None),
         }
 
     def confused(self) -> tuple[str, ...]:
@@ -187,7 +187,9 @@ class Fit(Printed, Tabular):
         return tuple(sentences)
 
     def _headline(self) -> str:
-        chi2 = [f"{role} {one.chi2_reduced:.4g}" for role, one in self.residuals.items()]
+        chi2 = [
+            f"{role} {statistics.chi2_reduced:.4g}" for role, statistics in self.residuals.items()
+        ]
         return f" of {self.model} to '{self.comparison.data.title}': reduced chi-square {', '.join(chi2)}"
 
     def __str__(self) -> str:
@@ -299,8 +301,12 @@ def _holdout_uncertainty(
     # No allowance is made for a model with structured residuals in the fitted runs.
     if left.exceeds(CRITERIA.residuals.drift) and _is_correlated(left):
         return HoldoutUncertainty()
-    known = [replace(one, prior=None) for one in fitted.free]  # the fitted runs have the priors
-    holdout = Objective(fitted.simulator, fitted.data, runs, known, values, options.tolerance)
+    free_without_priors = [
+        replace(parameter, prior=None) for parameter in fitted.free
+    ]  # the fitted runs have the priors
+    holdout = Objective(
+        fitted.simulator, fitted.data, runs, free_without_priors, values, options.tolerance
+    )
     holdout.starts.state_ranges = fitted.starts.state_ranges
     return estimate_holdout_uncertainty(fitted, holdout, z, spread_of(left), options)
 

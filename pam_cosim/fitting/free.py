@@ -117,7 +117,7 @@ def base_parameters(data: DataSet, interface: Interface) -> tuple[Free, ...]:
     Raises:
         InputError: the model has no such parameter.
     """
-    return tuple(free_parameter(one, data, interface) for one in data.fit.values())
+    return tuple(free_parameter(parameter, data, interface) for parameter in data.fit.values())
 
 
 def free_parameter(one: FreeParameter, data: DataSet, interface: Interface) -> Free:

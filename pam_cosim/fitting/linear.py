@@ -72,11 +72,11 @@ def prior_rows(
     names: Sequence[str], values: Array, priors: Mapping[str, Prior]
 ) -> tuple[Array, Array]:
     """(k,) slopes of what priors say of parameters, and (k,) what would take it away; zeros where they say nothing."""
-    known = [
+    determined = [
         (priors[n].slope(v), -priors[n].surprise(v)) if n in priors else (0.0, 0.0)
         for n, v in zip(names, values.tolist(), strict=True)
     ]
-    slopes, wanted = np.array(known).reshape(-1, 2).T
+    slopes, wanted = np.array(determined).reshape(-1, 2).T
     return slopes, wanted
 
 
@@ -143,8 +143,8 @@ def judged_by(linear: Linear, runs: Sequence[RunComparison], data: DataSet, rows
     series = [(r, n) for r in runs if r.run.role == "fit" for n in measured_signals(r.run, data)]
     at_samples = [(n, *r.at_samples(n)) for r, n in series]
     errors = [standardized_residuals(e, data.signals[n], y) for n, _, e, y in at_samples]
-    whole, kept = np.concatenate([np.zeros(0), *errors]), [kept for _, kept, _, _ in at_samples]
-    return replace(linear, residual=_condensed(whole[:, None], kept, rows)[:, 0])
+    residuals, kept = np.concatenate([np.zeros(0), *errors]), [kept for _, kept, _, _ in at_samples]
+    return replace(linear, residual=_condensed(residuals[:, None], kept, rows)[:, 0])
 
 
 def residual_rows(objective: Objective, z: Array, rows: int) -> Array | None:
@@ -166,14 +166,14 @@ def _condensed(matrix: Array, kept: Sequence[NDArray[np.bool_]], rows: int) -> A
 
     Which rows there are depends on the times of all samples, not on which of them are missing.
     """
-    every = np.concatenate(kept) if kept else np.zeros(0, bool)
-    full = np.zeros((len(every), matrix.shape[1]))
-    full[every] = matrix
+    sample_mask = np.concatenate(kept) if kept else np.zeros(0, bool)
+    full = np.zeros((len(sample_mask), matrix.shape[1]))
+    full[sample_mask] = matrix
     blocks = _blocks(kept, rows)
-    if not len(every) or sum(map(len, blocks)) == len(every):
+    if not len(sample_mask) or sum(map(len, blocks)) == len(sample_mask):
         return full
     begin = np.concatenate([b for b in blocks if len(b)])
-    counts = np.add.reduceat(every.astype(float), begin)
+    counts = np.add.reduceat(sample_mask.astype(float), begin)
     sums: Array = np.add.reduceat(full, begin, axis=0)
     return sums / np.sqrt(np.maximum(counts, 1.0))[:, None]
 

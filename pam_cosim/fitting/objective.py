@@ -83,12 +83,13 @@ class Objective:
             None  # where, residuals, exact Jacobian there
         )
         self._squares_at: dict[bytes, float] = {}
-        known = simulator.interface.sensitivities
+        sensitivity_names = simulator.interface.sensitivities
         self._signals = [
-            sensitivities_of_run(run, measured_signals(run, data), free, known) for run in self.runs
+            sensitivities_of_run(run, measured_signals(run, data), free, sensitivity_names)
+            for run in self.runs
         ]
         self._outputs = [outputs_of(slopes) for slopes in self._signals]
-        self._exact = has_sensitivities(self._signals, free, known)
+        self._exact = has_sensitivities(self._signals, free, sensitivity_names)
         usual = CRITERIA.fit.tolerance if all(self._exact) else DIFFERENCE_TOLERANCE
         self.tolerance = usual if tolerance is None else tolerance
         self.series = [
@@ -142,11 +143,13 @@ class Objective:
             return self.residuals(z)
 
         here, values = self.residuals(z), self.values(z)
-        found = self.starts.found_others(z, values, here, anew, self._start_values_of_part)
+        estimated_starts = self.starts.found_others(
+            z, values, here, anew, self._start_values_of_part
+        )
         self._latest = None
-        if found:
+        if estimated_starts:
             self._squares_at.clear()
-        return found
+        return estimated_starts
 
     def _start_values_of_part(self, part: Run, values: Mapping[str, float]) -> dict[str, float]:
         """The start values by state [SI] that leave least of a part of a run; none where it fails."""
@@ -156,7 +159,7 @@ class Objective:
         few.starts.state_ranges = self.starts.state_ranges
         if not np.isfinite(few.squares(np.zeros(0))):
             return {}
-        return {n: v for one in few.starts.by_run.values() for n, v in one.named().items()}
+        return {n: v for start in few.starts.by_run.values() for n, v in start.named().items()}
 
     def _run(self, z: Array, i: int, outputs: Sequence[str]) -> RunComparison:
         """A run at ``z``. Raises SimulationFailure where it does not reach its end."""
@@ -238,22 +241,22 @@ class Objective:
 
     def _run_with_start_slopes(self, z: Array, i: int) -> tuple[RunComparison, Array, Array]:
         """A run, its residuals and their slopes by its start values."""
-        one = self.starts.by_run[i]
-        names = {s: [sensitivity_name(s, state) for state in one.names] for s in self._signals[i]}
-        every = [name for of_signal in names.values() for name in of_signal]
-        is_exact = self.simulator.interface.sensitivities.keys() >= {*every}
-        run = self._run(z, i, [*self._outputs[i], *every] if is_exact else self._outputs[i])
+        start = self.starts.by_run[i]
+        names = {s: [sensitivity_name(s, state) for state in start.names] for s in self._signals[i]}
+        signal_names = [name for of_signal in names.values() for name in of_signal]
+        is_exact = self.simulator.interface.sensitivities.keys() >= {*signal_names}
+        run = self._run(z, i, [*self._outputs[i], *signal_names] if is_exact else self._outputs[i])
         residuals = self._weighted(run, i)
         if is_exact:
             columns = [np.column_stack(self._exact_slopes(run, s, n)) for s, n in names.items()]
             return run, residuals, np.vstack(columns)
-        here, columns = one.values, []
-        for k, sd in enumerate(one.sd):
-            one.values = here.copy()
-            one.values[k] += _DIFFERENCE_STEP * sd
+        here, columns = start.values, []
+        for k, sd in enumerate(start.sd):
+            start.values = here.copy()
+            start.values[k] += _DIFFERENCE_STEP * sd
             moved = self._weighted(self._run(z, i, [*self._signals[i]]), i)
-            columns.append((moved - residuals) / (one.values[k] - here[k]))
-            one.values = here
+            columns.append((moved - residuals) / (start.values[k] - here[k]))
+            start.values = here
         return run, residuals, np.column_stack(columns)
 
     @property
@@ -290,14 +293,14 @@ class Objective:
         """
         if self._has_starts(z) and not (
             self.starts.to_first_order
-            and all(one.slopes.size for one in self.starts.by_run.values())
+            and all(start.slopes.size for start in self.starts.by_run.values())
         ):
             return self.residuals(z)
         self.evaluations += 1
-        left = self._without_slopes(z, range(len(self.runs)))
-        if np.all(np.isfinite(left)):
-            self.starts.take_away(left)
-        return self._with_priors(z, left)
+        residuals = self._without_slopes(z, range(len(self.runs)))
+        if np.all(np.isfinite(residuals)):
+            self.starts.take_away(residuals)
+        return self._with_priors(z, residuals)
 
     def _has_starts(self, z: Array) -> bool:
         """Whether start values are parameters; not where the model breaks down."""

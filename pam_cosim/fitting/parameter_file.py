@@ -76,11 +76,11 @@ def _ssv(fit: Fit) -> str:
             | ({"unit": estimate.unit} if named.get(estimate.unit) else {}),
         )
     units = ElementTree.SubElement(root, f"{{{_SSV}}}Units") if defined else root
-    for known in defined:  # a parameter may only refer to a unit that the file defines
-        base = {name: str(exponent) for name, exponent in known.exponents}
-        base |= {"factor": repr(known.factor)} if known.factor != 1 else {}
-        base |= {"offset": repr(known.offset)} if known.offset != 0 else {}
-        definition = ElementTree.SubElement(units, f"{{{_SSC}}}Unit", name=known.name)
+    for unit in defined:  # a parameter may only refer to a unit that the file defines
+        base = {name: str(exponent) for name, exponent in unit.exponents}
+        base |= {"factor": repr(unit.factor)} if unit.factor != 1 else {}
+        base |= {"offset": repr(unit.offset)} if unit.offset != 0 else {}
+        definition = ElementTree.SubElement(units, f"{{{_SSC}}}Unit", name=unit.name)
         ElementTree.SubElement(definition, f"{{{_SSC}}}BaseUnit", base)
     ElementTree.indent(root)
     return (
@@ -127,7 +127,9 @@ def units_in(content: Any) -> dict[str, str]:
     holder = content.get("final", content)
     entries = holder.get("parameters", holder).items()
     return {
-        name: str(one["unit"]) for name, one in entries if isinstance(one, dict) and "unit" in one
+        name: str(entry["unit"])
+        for name, entry in entries
+        if isinstance(entry, dict) and "unit" in entry
     }
 
 
@@ -151,7 +153,9 @@ def _from_ssv(path: Path) -> dict[str, float]:
     try:
         root = ElementTree.fromstring(read_file(path, MOST_TEXT))
         values = {
-            p.attrib["name"]: float(next(one for one in p if one.tag in _REALS).attrib["value"])
+            p.attrib["name"]: float(
+                next(child for child in p if child.tag in _REALS).attrib["value"]
+            )
             for p in root.iter(f"{{{_SSV}}}Parameter")
         }
     except OSError as problem:

@@ -81,8 +81,8 @@ def parameter_posterior(
         SimulationFailure: the model breaks down at the optimum.
     """
     names = [f.name for f in free]
-    known = {**fit.comparison.parameters, **fit.values}
-    fixed = {name: value for name, value in known.items() if name not in names}
+    model_values = {**fit.comparison.parameters, **fit.values}
+    fixed = {name: value for name, value in model_values.items() if name not in names}
     objective = Objective(simulator, data, data.fit_runs, free, fixed)
     low, high = objective.bounds
     z = np.clip([f.to_z(fit.values[f.name]) for f in free], low, high)

@@ -171,7 +171,13 @@ def predictive_bands(
     off = off or {}
     bands = {
         n: _band(
-            data, run, n, best.model[n], np.array([one[n] for one in drawn]), share, off.get(n)
+            data,
+            run,
+            n,
+            best.model[n],
+            np.array([sample[n] for sample in drawn]),
+            share,
+            off.get(n),
         )
         for n in names
     }

@@ -110,9 +110,9 @@ class Profiles(Printed, Tabular):
     def frame_columns(self) -> Columns:
         """A row for each point of each profile, its value in the SI unit of the column "unit"."""
         rows = [
-            (one.name, one.unit, value, rise)
-            for one in self.profiles.values()
-            for value, rise in zip(one.values, one.rise, strict=True)
+            (profile.name, profile.unit, value, rise)
+            for profile in self.profiles.values()
+            for value, rise in zip(profile.values, profile.rise, strict=True)
         ]
         names, units, values, rises = zip(*rows, strict=True)
         return {
@@ -156,13 +156,13 @@ def profiles(
         )
         rise = np.array([r for _, r in points])
         ends = [_end(objective, z, i, side) for side in sides]
-        others = {f.name: at[:, k] for k, f in enumerate(objective.free) if k != i}
+        other_parameters = {f.name: at[:, k] for k, f in enumerate(objective.free) if k != i}
         low, high = (
             (-np.inf if ends[0] is None else ends[0]),
             (np.inf if ends[1] is None else ends[1]),
         )
         made[free.name] = Profile(
-            free.name, free.unit, best[free.name], at[:, i], rise, low, high, others
+            free.name, free.unit, best[free.name], at[:, i], rise, low, high, other_parameters
         )
     return Profiles(model, made)
 
@@ -183,10 +183,10 @@ def _side(
     points: list[tuple[Array, float]] = []
     at, before = z, 0.0
     for _ in range(_POINTS):
-        left = (high[i] - at[i]) if sign > 0 else (at[i] - low[i])
-        if step <= 0 or left <= 0:
+        room = (high[i] - at[i]) if sign > 0 else (at[i] - low[i])
+        if step <= 0 or room <= 0:
             break
-        at = _refitted(objective, at, i, float(at[i] + sign * min(step, left)))
+        at = _refitted(objective, at, i, float(at[i] + sign * min(step, room)))
         rise = max(objective.squares(at) - lowest, 0.0) / spread**2
         if not np.isfinite(rise):
             break

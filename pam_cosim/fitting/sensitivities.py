@@ -25,8 +25,8 @@ def acts_on(free: Free, run: Run, every: Sequence[Free]) -> bool:
         return free.run == run.name
     if is_ratio(free.name):
         return free.parameter in run.parameters
-    own = any(f.run == run.name and f.parameter == free.parameter for f in every)
-    return free.parameter not in run.parameters and not own
+    has_run_value = any(f.run == run.name and f.parameter == free.parameter for f in every)
+    return free.parameter not in run.parameters and not has_run_value
 
 
 def sensitivities_of_run(
@@ -40,7 +40,11 @@ def sensitivities_of_run(
         free: the free parameters.
         known: names of the model's sensitivities.
     """
-    acting = [(i, one.parameter) for i, one in enumerate(free) if acts_on(one, run, free)]
+    acting = [
+        (i, parameter.parameter)
+        for i, parameter in enumerate(free)
+        if acts_on(parameter, run, free)
+    ]
     return {
         signal: [
             (i, name)
@@ -55,8 +59,11 @@ def has_sensitivities(
     signals: Sequence[Collection[str]], free: Sequence[Free], known: Collection[str]
 ) -> list[bool]:
     """For each free parameter, whether the model has its sensitivity for each signal of each run."""
-    every = {signal for of_run in signals for signal in of_run}
-    return [all(sensitivity_name(s, one.parameter) in known for s in every) for one in free]
+    signal_names = {signal for of_run in signals for signal in of_run}
+    return [
+        all(sensitivity_name(s, parameter.parameter) in known for s in signal_names)
+        for parameter in free
+    ]
 
 
 def outputs_of(slopes: Slopes) -> list[str]:

@@ -19,22 +19,22 @@ def start_estimates(objective: Objective) -> dict[str, Estimate]:
     """By "state@run": where the runs of an objective begin, with 95 % intervals beside the other parameters."""
     variables = objective.simulator.interface.start_values
     estimates = {}
-    for one in objective.starts.by_run.values():
-        if not len(one.slopes):  # its run could not be simulated
+    for start in objective.starts.by_run.values():
+        if not len(start.slopes):  # its run could not be simulated
             continue
-        reach = (INTERVAL * one.deviations()).tolist()
-        values, determined = one.values.tolist(), one.determined().tolist()
-        still = [(name, value, 0.0, False) for name, value in one.still.items()]
+        reach = (INTERVAL * start.deviations()).tolist()
+        values, determined = start.values.tolist(), start.determined().tolist()
+        still = [(name, value, 0.0, False) for name, value in start.still.items()]
         for name, value, half, is_told in [
-            *still, *zip(one.names, values, reach, determined, strict=True)
+            *still, *zip(start.names, values, reach, determined, strict=True)
         ]:  # fmt: skip
-            estimates[f"{name}@{one.run.name}"] = Estimate(
+            estimates[f"{name}@{start.run.name}"] = Estimate(
                 value,
                 value - half,
                 value + half,
                 variables[name].unit,
                 determined=is_told,
-                run=one.run.name,
+                run=start.run.name,
             )
     return estimates
 
@@ -89,5 +89,5 @@ def simulated(
     chosen = data.runs if runs is None else runs
     free = {run.name for run in runs_without_start(data, values, simulator.interface)}
     starts = estimated_starts(simulator, data, [run for run in chosen if run.name in free], values)
-    every = {**values, **{name: e.value for name, e in starts.items()}}
-    return tuple(simulate_run(simulator, data, run, every) for run in chosen), starts
+    values_with_starts = {**values, **{name: e.value for name, e in starts.items()}}
+    return tuple(simulate_run(simulator, data, run, values_with_starts) for run in chosen), starts

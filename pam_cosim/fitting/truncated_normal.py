@@ -53,14 +53,14 @@ def truncated_normal(
 
 def _moved(w: Array, speed: Array, walls: Array, offsets: Array) -> Array:
     """Where a particle is after a quarter of a period; it stays where it may be: ``walls @ w + offsets >= 0``."""
-    left, last = 0.5 * np.pi, -1
+    remaining_time, last = 0.5 * np.pi, -1
     for _ in range(_MOST_REFLECTIONS):
         times = _times_of_hits(walls @ w, walls @ speed, offsets, last)
         first = int(np.argmin(times))
-        time = min(float(times[first]), left)
+        time = min(float(times[first]), remaining_time)
         w, speed = w * np.cos(time) + speed * np.sin(time), speed * np.cos(time) - w * np.sin(time)
-        left -= time
-        if left <= 0:
+        remaining_time -= time
+        if remaining_time <= 0:
             break
         normal = walls[first]
         speed = speed - 2.0 * (normal @ speed) / (normal @ normal) * normal

@@ -24,12 +24,14 @@ class WithoutPriors:
 
 def without_priors(fit: Fit) -> WithoutPriors:
     """What a fitted model would come to without its priors; the fit as it is where it has no slopes."""
-    known = {name: e.value for name, e in fit.parameters.items() if e.prior is not None}
+    estimates_with_prior = {
+        name: e.value for name, e in fit.parameters.items() if e.prior is not None
+    }
     linear = fit.linear
-    if linear is None or not known:
-        return WithoutPriors(values=known)
+    if linear is None or not estimates_with_prior:
+        return WithoutPriors(values=estimates_with_prior)
     step = bounded_step(replace(linear, priors={}))
     values = dict(zip(linear.names, (linear.values + step).tolist(), strict=True))
     return WithoutPriors(
-        reduction_by(linear, step), {n: values.get(n, v) for n, v in known.items()}
+        reduction_by(linear, step), {n: values.get(n, v) for n, v in estimates_with_prior.items()}
     )

@@ -52,8 +52,8 @@ def scalars_of(file: Path) -> dict[str, float]:
     if is_hdf5(file):
         return {}
     content = scipy.io.loadmat(str(file), squeeze_me=True, chars_as_strings=True)
-    found = [(p.rpartition("/")[2], v) for p, v in _places(content) if not p.startswith("__")]
-    return {name: float(v) for name, v in found if np.ndim(v) == 0 and isinstance(v, int | float)}
+    places = [(p.rpartition("/")[2], v) for p, v in _places(content) if not p.startswith("__")]
+    return {name: float(v) for name, v in places if np.ndim(v) == 0 and isinstance(v, int | float)}
 
 
 def _declared(file: Path) -> int:
@@ -168,7 +168,7 @@ def _columns(chosen: Any, stated: Layout, file: Path) -> list[tuple[str, Any]]:
             'the columns of a matrix need names under [recording]: names = ["time [s]", ...]', file
         )
     fields = [dict(chosen)] if isinstance(chosen, Mapping) else _structures(chosen)
-    rows = {v.size for one in fields for _, v in _places(one) if _is_vector(v)}
+    rows = {v.size for signal in fields for _, v in _places(signal) if _is_vector(v)}
     return _named([vector for structure in fields for vector in _vectors(structure, rows)])
 
 
@@ -186,7 +186,7 @@ def _vectors(
     for name, value in list(fields.items()):
         if _is_matrix(value) and any(count in rows for count in value.shape):
             signals = value.T if value.shape[0] in rows else value
-            numbered = {f"{name} {i + 1}": one for i, one in enumerate(signals)}
+            numbered = {f"{name} {i + 1}": signal for i, signal in enumerate(signals)}
             fields = {n: v for n, v in fields.items() if n != name} | numbered
     vector_names = [name for name, value in fields.items() if _is_vector(np.asarray(value))]
     label = next((v for n, v in fields.items() if n.casefold() in _LABELS and _is_text(v)), None)

@@ -122,9 +122,9 @@ def unknown_column(name: str, interface: Interface, time: bool = True) -> str:
     """What to say of a column that the bench does not know; ``time``: one of time is expected."""
     if name in interface.parameters:
         return f"{shown(name)} is a parameter of {interface.model}; set it under [runs.parameters]"
-    known = dict.fromkeys([*([TIME] if time else []), *interface.inputs, *interface.outputs])
+    headings = dict.fromkeys([*([TIME] if time else []), *interface.inputs, *interface.outputs])
     hint = "state what it is under [columns], or leave it out: [recording] ignore = [...]"
-    return f"{interface.unknown(name, 'input or output', known)}; {hint}"
+    return f"{interface.unknown(name, 'input or output', headings)}; {hint}"
 
 
 def words_of(interface: Interface, columns: Mapping[str, str] | None = None) -> Words:
@@ -172,13 +172,15 @@ def _check_pressure(table: Table, name: str, reference: str, of_model: str) -> N
     if reference == of_model:
         return
     unit = table.columns[name].unit
-    said = f"unit {shown(unit)} says that the pressure is {reference}"
+    statement = f"unit {shown(unit)} says that the pressure is {reference}"
     if of_model:
         plain = pressure_reference(unit)[0]
         hint = f'state unit = "{plain}", offset = "101.325 kPa" under [columns]'
-        raise table.error(f"{said}, those of the model are {of_model}; {hint}", name)
+        raise table.error(f"{statement}, those of the model are {of_model}; {hint}", name)
     hint = 'pressures = "absolute" or pressures = "gauge" at the top of experiment.toml, above all tables'
-    raise table.error(f"{said}, and nothing says what those of the model are; state {hint}", name)
+    raise table.error(
+        f"{statement}, and nothing says what those of the model are; state {hint}", name
+    )
 
 
 def locked(values: NDArray[np.float64]) -> NDArray[np.float64]:

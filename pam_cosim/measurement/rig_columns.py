@@ -55,8 +55,8 @@ def rig_columns(folder: Path, interface: Interface, names: Collection[str]) -> d
         run = read_experiment(folder / FILE_NAME).full_runs()[0]
         file = run.at("file").file_inside(run.file)
         table = read_table(file, layout_of(run.recording, run.columns, interface))
-        found = {name: _column(name, table, run, interface) for name in names}
-        return {name: column for name, column in found.items() if column is not None}
+        columns = {name: _column(name, table, run, interface) for name in names}
+        return {name: column for name, column in columns.items() if column is not None}
     return {}
 
 

@@ -235,13 +235,13 @@ def _joined(lines: list[str]) -> Iterator[Line]:
 def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
     """Name and unit of each column."""
     line, seen = layout.header_line or None, set[str]()
-    every = [split_heading(heading) for heading, _ in layout.headings]
-    units = Counter({(parts[0], parts[1]) for parts in every if parts})
+    headings = [split_heading(heading) for heading, _ in layout.headings]
+    units = Counter({(parts[0], parts[1]) for parts in headings if parts})
     several = Counter(name for name, _ in units)
     named = []
     for number, (heading, below) in enumerate(layout.headings, start=1):
-        parts = every[number - 1]
-        if not heading and any(every):  # as of an index of rows
+        parts = headings[number - 1]
+        if not heading and any(headings):  # as of an index of rows
             parts = (f"column {number}", "")
         if (
             parts is not None and several[parts[0]] > 1

@@ -153,7 +153,8 @@ class Problem(Printed):
 
     def __str__(self) -> str:
         rows = [
-            (one.name, format_quantity(one.value, one.unit), _origin(one)) for one in self.values
+            (value.name, format_quantity(value.value, value.unit), _origin(value))
+            for value in self.values
         ]
         widths = [max((len(row[i]) for row in rows), default=0) for i in range(2)]
         lines = [f"{self.interface.model} with {self.data.title}"]

@@ -146,8 +146,8 @@ def is_narrow() -> bool:
 def _fonts() -> tuple[str, ...]:
     """The font, and after it those that are installed and have further letters."""
 
-    known = fontManager.get_font_names()
-    return (_SETTINGS["font.family"], *(name for name in _FURTHER_FONTS if name in known))
+    installed = fontManager.get_font_names()
+    return (_SETTINGS["font.family"], *(name for name in _FURTHER_FONTS if name in installed))
 
 
 @cache

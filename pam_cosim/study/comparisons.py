@@ -53,6 +53,6 @@ def compared(problem: Problem, timeout: float | None = None, *, whole: bool = Tr
         if not whole:
             return result
 
-        known = partial(simulate_runs, simulator, values=values)
-        found = likely_convention(started, result.units, known, result.runs)
-        return replace(result, convention=found.text if found else "")
+        simulate = partial(simulate_runs, simulator, values=values)
+        convention = likely_convention(started, result.units, simulate, result.runs)
+        return replace(result, convention=convention.text if convention else "")

@@ -35,11 +35,11 @@ def effect_sheets(name: str | None = None, files: Paths = ()) -> list[EffectShee
     """
     sources = as_paths(files)
     tree = read_library(files=sources)
-    every = effect_classes(tree)
-    meant = [e for e in every if name in (None, e.name, e.qualified_name, e.family)]
+    classes = effect_classes(tree)
+    meant = [e for e in classes if name in (None, e.name, e.qualified_name, e.family)]
     if not meant:
-        known = dict.fromkeys(word for e in every for word in (e.name, e.family))
-        hint = did_you_mean(str(name), list(known))
+        names = dict.fromkeys(word for e in classes for word in (e.name, e.family))
+        hint = did_you_mean(str(name), list(names))
         raise InputError(f"there is no effect and no family '{name}'; {hint}")
     structures = {last(bench): read_structure(bench, files=sources) for bench in _benches(tree)}
     return [effect_sheet(tree, effect, structures) for effect in meant]

@@ -158,8 +158,8 @@ def _grid(values: Mapping[str, Array], units: dict[str, str]) -> Design:
 def _listed(values: Mapping[str, Array]) -> Array:
     counts = {name: len(column) for name, column in values.items()}
     if len(set(counts.values())) > 1:
-        said = ", ".join(f"{name} {count}" for name, count in counts.items())
-        raise InputError(f"a list needs as many values of every name: {said}")
+        counts_text = ", ".join(f"{name} {count}" for name, count in counts.items())
+        raise InputError(f"a list needs as many values of every name: {counts_text}")
     points = np.stack(list(values.values()), axis=1)
     if len(points) > MOST_RUNS:
         raise InputError(f"these are {len(points)} runs; a sweep has {MOST_RUNS} at most")

@@ -49,20 +49,22 @@ def run_all(
         _feed(replace(job, content=job.fmu.read_bytes()), runs, points, pool, count, say, None)
 
 
-def _run_here(job: SweepJob, left: list[int], points: Array, workers: int | None, say: Say) -> None:
+def _run_here(
+    job: SweepJob, remaining: list[int], points: Array, workers: int | None, say: Say
+) -> None:
     """In this process, and as soon as it is worth them in others of this machine."""
-    first = make_runs(job, left, points[left], _BATCH)
+    first = make_runs(job, remaining, points[remaining], _BATCH)
     say(first.rows)
-    left = left[len(first.rows) :]
+    remaining = remaining[len(first.rows) :]
     rate = first.running / len(first.rows)
-    if left and (workers == 1 or rate * len(left) < _WORTH):
-        for part in _parts(left, max(1, int(_BATCH / max(rate, 1e-9)))):
+    if remaining and (workers == 1 or rate * len(remaining) < _WORTH):
+        for part in _parts(remaining, max(1, int(_BATCH / max(rate, 1e-9)))):
             say(make_runs(job, part, points[part]).rows)
         return
-    if left:
-        count = min(workers or processors(), len(left))
+    if remaining:
+        count = min(workers or processors(), len(remaining))
         with local_pool(count) as pool:
-            _feed(job, left, points, pool, count, say, first)
+            _feed(job, remaining, points, pool, count, say, first)
 
 
 def _parts(runs: Sequence[int], size: int) -> Iterator[list[int]]:
@@ -80,12 +82,12 @@ def _feed(
     known: Batch | None,
 ) -> None:
     """Hands out batches that take a part of a second each, a few ahead of what is done."""
-    left, size = list(runs), _size(known)
+    remaining, size = list(runs), _size(known)
     waiting: dict[Future[Batch], list[int]] = {}
     try:
-        while left or waiting:
-            while left and len(waiting) < _AHEAD * count:
-                part, left = left[:size], left[size:]
+        while remaining or waiting:
+            while remaining and len(waiting) < _AHEAD * count:
+                part, remaining = remaining[:size], remaining[size:]
                 with sigint_blocked():
                     waiting[pool.submit(make_runs, job, part, points[part])] = part
             running_tasks(waiting)

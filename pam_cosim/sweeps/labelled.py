@@ -50,10 +50,10 @@ def frame(sweep: Sweep) -> pandas.DataFrame:
 
 def dataset(sweep: Sweep) -> xarray.Dataset:
     """Everything, in memory."""
-    whole = skeleton(sweep)
+    dataset = skeleton(sweep)
     for name in sweep.outputs:
-        whole[name] = output(sweep, name)
-    return whole
+        dataset[name] = output(sweep, name)
+    return dataset
 
 
 def skeleton(sweep: Sweep) -> xarray.Dataset:
@@ -89,10 +89,11 @@ def output(sweep: Sweep, name: str) -> xarray.DataArray:
 
 def _axes(sweep: Sweep) -> tuple[tuple[str, ...], tuple[int, ...], dict[str, Any]]:
     """Dimensions, their lengths, and coordinates."""
-    design, known = sweep.design, sweep.interface.settable
-    told = {n: known[n].description if n in known else "" for n in design.names}
+    design, settable = sweep.design, sweep.interface.settable
+    descriptions = {n: settable[n].description if n in settable else "" for n in design.names}
     described = {
-        n: {"units": design.units[n] or "1", "long_name": told[n] or n} for n in design.names
+        n: {"units": design.units[n] or "1", "long_name": descriptions[n] or n}
+        for n in design.names
     }
     names = {n: axis_name(sweep, n) for n in design.names}
     if design.kind == "grid" and all(len(np.unique(v)) == len(v) for v in design.axes.values()):

@@ -156,5 +156,5 @@ def _content(row: RunResult) -> bytes:
 def _parts(content: bytes, scalars: int) -> tuple[list[str], Array, Array]:
     """The failure and the warnings, the scalars, and the values over time in one row."""
     texts, _, numbers = content.partition(b"\n")
-    whole = np.frombuffer(numbers, "<f8")
-    return json.loads(texts), whole[:scalars], whole[scalars:]
+    values = np.frombuffer(numbers, "<f8")
+    return json.loads(texts), values[:scalars], values[scalars:]

@@ -107,10 +107,10 @@ class Sweep(Printed):
     @property
     def units(self) -> dict[str, str]:
         """Of outputs, of what was varied and of scalars, by name."""
-        known = self.interface.variables
+        variables = self.interface.variables
         return {
             **self.design.units,
-            **{name: known[name].unit for name in self.outputs},
+            **{name: variables[name].unit for name in self.outputs},
             **{s.name: s.unit for s in self.scalars},
         }
 

@@ -101,9 +101,13 @@ def make_runs(
 
 def _row(job: SweepJob, simulator: AnySimulator, run: int, varied: dict[str, float]) -> RunResult:
     inputs = job.patterns[int(varied[INPUTS])] if job.patterns else job.inputs
-    own = {name: value for name, value in varied.items() if not (job.patterns and name == INPUTS)}
+    parameters = {
+        name: value for name, value in varied.items() if not (job.patterns and name == INPUTS)
+    }
     try:
-        made = simulator.run(job.times, parameters=job.fixed | own, inputs=inputs, outputs=job.read)
+        made = simulator.run(
+            job.times, parameters=job.fixed | parameters, inputs=inputs, outputs=job.read
+        )
     except SimulationFailure as failure:
         return RunResult(
             run, np.full(len(job.scalars), np.nan), None, str(failure) or "the run failed"

@@ -117,7 +117,7 @@ def _with_headers(send: Send, host: str) -> Send:
     async def sent(message: Message) -> None:
         if message["type"] == "http.response.start":
             policy = POLICY.format(sockets=f"ws://{host}")
-            own = [
+            headers = [
                 (b"content-security-policy", policy.encode("latin-1")),
                 (b"x-content-type-options", b"nosniff"),
                 (b"referrer-policy", b"no-referrer"),
@@ -125,7 +125,7 @@ def _with_headers(send: Send, host: str) -> Send:
                 (b"cross-origin-opener-policy", b"same-origin"),
                 (b"cross-origin-resource-policy", b"same-origin"),
             ]
-            message = {**message, "headers": [*message.get("headers", []), *own]}
+            message = {**message, "headers": [*message.get("headers", []), *headers]}
         await send(message)
 
     return sent

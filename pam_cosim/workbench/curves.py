@@ -29,13 +29,13 @@ def measured_curves(data: DataSet) -> list[PlottedCurve]:
     return curves
 
 
-def model_curves(runs: Sequence[RunComparison], whole: DataSet) -> list[PlottedCurve]:
+def model_curves(runs: Sequence[RunComparison], recordings: DataSet) -> list[PlottedCurve]:
     """Modelled signals and residuals of all runs at all times that were recorded, NaN where a run was cut."""
-    curves, recorded = [], {run.name: run for run in whole.runs}
+    curves, recorded = [], {run.name: run for run in recordings.runs}
     for r in runs:
         room = _room(r.run, recorded[r.run.name])
         for name in r.run.measurements:
-            factor = _factor(whole, name)
+            factor = _factor(recordings, name)
             model, residual = (
                 thinned(_rising(r.run, np.pad(values * factor, room, constant_values=np.nan)))
                 for values in (r.model[name], r.residual(name))
@@ -44,10 +44,10 @@ def model_curves(runs: Sequence[RunComparison], whole: DataSet) -> list[PlottedC
     return curves
 
 
-def _room(run: Run, whole: Run) -> tuple[int, int]:
+def _room(run: Run, recording: Run) -> tuple[int, int]:
     """Rows that were recorded before and after those of a run."""
-    before = int(np.searchsorted(whole.time, run.time[0], side="left")) if run.recorded else 0
-    return before, len(whole.time) - before - len(run.time)
+    before = int(np.searchsorted(recording.time, run.time[0], side="left")) if run.recorded else 0
+    return before, len(recording.time) - before - len(run.time)
 
 
 def _rising(run: Run, values: Array) -> Array:
@@ -73,8 +73,8 @@ def thinned(values: Array) -> Array:
     parts = _parts(len(values))
     if parts is None:
         return values
-    known = np.isfinite(values)
-    low, high = np.where(known, values, np.inf), np.where(known, values, -np.inf)
+    finite = np.isfinite(values)
+    low, high = np.where(finite, values, np.inf), np.where(finite, values, -np.inf)
     bottom, top = np.minimum.reduceat(low, parts[:-1]), np.maximum.reduceat(high, parts[:-1])
     first = [
         np.argmin(low[a:b]) <= np.argmax(high[a:b])

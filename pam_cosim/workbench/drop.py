@@ -73,8 +73,8 @@ class Drop:
         target = inside(self.place, made)
         if target not in self.recordings and len(self.recordings) >= MOST_FILES:
             raise InputError(f"more than {MOST_FILES} files at once cannot be taken")
-        others = sum(file.stat().st_size for file in self.recordings if file != target)
-        if others + len(content) > MOST_TOGETHER:
+        other_bytes = sum(file.stat().st_size for file in self.recordings if file != target)
+        if other_bytes + len(content) > MOST_TOGETHER:
             raise InputError(f"more than {MOST_TOGETHER // 1_000_000} MB together cannot be taken")
         write_bytes(target, content)
         self._names[name] = made
@@ -152,13 +152,13 @@ class Drop:
             return None
         lines = _lines(place)
         first = max(line - _AROUND, 1)
-        shown_lines = [one[:_LONGEST] for one in lines[first - 1 : line + _AROUND]]
+        shown_lines = [text[:_LONGEST] for text in lines[first - 1 : line + _AROUND]]
         return {"first": first, "line": line, "header": lines[:1], "lines": shown_lines}
 
     def _drafted(self, made: NewDataSet) -> Json:
         toml = (made.folder / "experiment.toml").read_text(encoding="utf-8")
         written = tomllib.loads(toml)
-        own = [run.get("parameters", {}) for run in written["runs"]]
+        run_parameters = [run.get("parameters", {}) for run in written["runs"]]
         return event(
             "draft",
             failed=None,
@@ -168,7 +168,7 @@ class Drop:
             guesses=[selected(guess, "what taken_as why") for guess in made.guesses],
             runs=[
                 selected(run, "name role describe", own=stated)
-                for run, stated in zip(made.data.runs, own, strict=True)
+                for run, stated in zip(made.data.runs, run_parameters, strict=True)
             ],
             **_quantities(study.describe(made.data.model, self.files)),
             benches=study.benches(),
@@ -194,14 +194,14 @@ class Wishes(CheckedTable):
 
 def _checked(wishes: Mapping[str, Any]) -> Json:
     try:
-        said = Wishes.model_validate(dict(wishes))
+        answers = Wishes.model_validate(dict(wishes))
     except ValidationError as error:
         raise InputError(complaint(error)) from None
-    if any(c in said.model for c in "/\\"):
+    if any(c in answers.model for c in "/\\"):
         raise InputError(
             "a bench is named, or a Modelica class; files are given where the workbench is started"
         )
-    return said.model_dump(exclude_defaults=True)
+    return answers.model_dump(exclude_defaults=True)
 
 
 def _quantities(interface: Interface) -> Json:
@@ -216,8 +216,8 @@ def _quantities(interface: Interface) -> Json:
     }
 
 
-def _quantity(variable: Variable, **others: object) -> Json:
-    return selected(variable, "name description", unit=unit_text(variable.unit), **others)
+def _quantity(variable: Variable, **fields: object) -> Json:
+    return selected(variable, "name description", unit=unit_text(variable.unit), **fields)
 
 
 def _curves(made: NewDataSet) -> list[Json]:

@@ -34,14 +34,14 @@ def frame(kind: str, version: int, curves: Sequence[PlottedCurve], label: str = 
     places: dict[int, int] = {}
     at = 0
     for c in curves:
-        told: Json = {"name": c.signal}
+        entry: Json = {"name": c.signal}
         for what, values in c.arrays.items():
             if id(values) not in places:
                 places[id(values)] = at
                 parts.append(values)
                 at += len(values)
-            told |= {"n": len(values), f"{what}_at": places[id(values)]}
-        runs.setdefault(c.run, []).append(told)
+            entry |= {"n": len(values), f"{what}_at": places[id(values)]}
+        runs.setdefault(c.run, []).append(entry)
     named = [
         {"name": run, "from": begins[run], "signals": signals} for run, signals in runs.items()
     ]

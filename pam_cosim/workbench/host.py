@@ -126,7 +126,7 @@ class Workbench:
         """
         drop.create(wishes)
         try:
-            self.session, self.drop = self._session(), None
+            self.session, self.drop = self._session(complete=True), None
         except (InputError, SimulationFailure) as problem:
             shutil.rmtree(self.folder)
             self.windows.tell(drop.failed(wishes, problem))

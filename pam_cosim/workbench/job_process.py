@@ -71,10 +71,10 @@ class Worker:
                 write_frame(process.stdin, b"r", content)  # waits until the process has loaded
                 while True:
                     kind, content = read_frame(process.stdout)
-                    said = pickle.loads(content)
+                    message = pickle.loads(content)
                     if kind == ANSWER:
                         break
-                    heard(said)
+                    heard(message)
         except (EOFError, OSError, ValueError):
             with contextlib.suppress(
                 subprocess.TimeoutExpired
@@ -84,7 +84,7 @@ class Worker:
                 done(False, JobEnded("the process that did it ended without a word"))
             return
         if self._process is process:
-            done(*said)
+            done(*message)
 
     def hold(self) -> bool:
         """Lets the process and all that it started stand still where they are; False where that cannot be done."""

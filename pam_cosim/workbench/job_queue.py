@@ -59,6 +59,7 @@ class StudyWithJobs(OpenStudy):
         windows: that show it; default: none yet.
         workers: number of processes of a diagnosis, as for ``study.diagnose``.
         worker: the process in which it fits, if there is one already; it ends with the study.
+        complete: as for ``OpenStudy``.
 
     Raises:
         InputError: the data set cannot be read.
@@ -73,10 +74,11 @@ class StudyWithJobs(OpenStudy):
         windows: Windows | None = None,
         workers: int | None = None,
         worker: Worker | None = None,
+        complete: bool = False,
     ) -> None:
         self.worker, self.workers = worker or Worker(), workers
         self.job: Job | None = None
-        super().__init__(folder, model, files, windows or Windows())
+        super().__init__(folder, model, files, windows or Windows(), complete)
 
     def close(self) -> None:
         """Ends everything; nothing is saved by it."""
@@ -183,8 +185,8 @@ class StudyWithJobs(OpenStudy):
         """Sends the verdict of the standing study, or that there is none."""
         state, diagnosis = self.state, self.state.diagnosis
         self.clear_diagnosis()
-        for told in [] if diagnosis is None else diagnosis_events(diagnosis):
-            self.windows.tell(told)
+        for message in [] if diagnosis is None else diagnosis_events(diagnosis):
+            self.windows.tell(message)
         if diagnosis and diagnosis.path and len(state.effects) == len(state.diagnosed):
             self.draw_beside("found", diagnosis.final.comparison, found_label(diagnosis))
 
@@ -212,13 +214,13 @@ class StudyWithJobs(OpenStudy):
         if isinstance(happening, EffectProbed):
             job.text = happening.status
             self._tell_busy(job)
-        for told in events_of(happening, job.tried, self.state.data.domain):
-            if self._is_due(job, told):
-                self.windows.tell(told)
+        for shown_event in events_of(happening, job.tried, self.state.data.domain):
+            if self._is_due(job, shown_event):
+                self.windows.tell(shown_event)
 
-    def _is_due(self, job: Job, told: Json) -> bool:
+    def _is_due(self, job: Job, message: Json) -> bool:
         """Rankings come with every candidate; not all of them need be drawn."""
-        if told.get("final", True):
+        if message.get("final", True):
             return True
         if time.monotonic() - job.ranked < _RANKED:
             return False

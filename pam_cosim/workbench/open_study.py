@@ -14,7 +14,6 @@ from typing import Any
 
 from pam_cosim.comparison import Comparison, RunComparison, samples_in, scored, where
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import Estimate
 from pam_cosim.workbench.catalogue import Catalogue
 from pam_cosim.workbench.checks import one_of
 from pam_cosim.workbench.curves import measured_curves, model_curves
@@ -22,6 +21,7 @@ from pam_cosim.workbench.frames import frame
 from pam_cosim.workbench.opened_model import Opened, made_for, open_model
 from pam_cosim.workbench.protocol import Json, event, failure
 from pam_cosim.workbench.saved import lean_fit
+from pam_cosim.workbench.simulators import Simulated
 from pam_cosim.workbench.source import MeasurementSource
 from pam_cosim.workbench.starts import StartsShown, courses
 from pam_cosim.workbench.state import State, standing_label, with_rung
@@ -47,14 +47,22 @@ class OpenStudy:
         model: default: the bench of the data set.
         files: further Modelica files.
         windows: that show it.
+        complete: whether a study is refused of which a run cannot be simulated; else its page opens and names the run.
 
     Raises:
         InputError: the data set cannot be read.
+        SimulationFailure: a run cannot be simulated, and the study is to be complete.
     """
 
     def __init__(
-        self, folder: Path, model: str | None, files: Sequence[Path], windows: Windows
+        self,
+        folder: Path,
+        model: str | None,
+        files: Sequence[Path],
+        windows: Windows,
+        complete: bool,
     ) -> None:
+        self.complete = complete
         self.folder, self.windows = Path(folder), windows
         self.catalogue = Catalogue([Path(f) for f in files])
         self.source = MeasurementSource(self.folder, self.catalogue.files)
@@ -69,7 +77,7 @@ class OpenStudy:
         self._looking = False
         self._open: Opened | None = None
         self._comparison: Comparison | None = None
-        self._begun: dict[str, Estimate] = {}
+        self.simulated = Simulated()
         self._starts = StartsShown()
         try:
             self._thread.submit(self._begin, model).result()
@@ -78,9 +86,9 @@ class OpenStudy:
             raise
 
     def _begin(self, model: str | None) -> None:
-        data, known = self.source.read(model)
+        data, values = self.source.read(model)
         self.benches = self.catalogue.benches(data.model)
-        self.first = self.state = State(data, data.model_for(model), known=known)
+        self.first = self.state = State(data, data.model_for(model), known=values)
         self.back(self.state)
 
     def close(self) -> None:
@@ -152,7 +160,7 @@ class OpenStudy:
 
         Raises:
             InputError: there is no such model.
-            SimulationFailure: a run cannot be simulated.
+            SimulationFailure: a run cannot be simulated that could be before.
         """
         old = self._open
         about = (state.data, state.model, state.effects)
@@ -160,12 +168,15 @@ class OpenStudy:
         opened = old if old and same else open_model(*about, self.catalogue, self.scratch)
         other_data = old is None or state.data is not self.state.data
         try:
-            runs, begun = opened.simulators.run(state.data, state.values)
+            simulated = opened.simulators.run(state.data, state.values)
+            for run, failure in simulated.failures.items():
+                if self.complete or (old is not None and run not in self.simulated.failures):
+                    raise failure
             if other_data:
                 curves = measured_curves(self.source.whole(state.data))
                 self.windows.send(frame("measured", self.version, curves), "measured")
-            self._draw(state, runs)
-            comparison = scored_runs(state, opened, runs)
+            self._draw(state, simulated.runs)
+            comparison = scored_runs(state, opened, simulated.runs)
         except BaseException:
             if not same:
                 opened.close()
@@ -174,7 +185,8 @@ class OpenStudy:
             old.close()
         if not same or other_data:
             self._starts.forget()
-        self.state, self._open, self._comparison, self._begun = state, opened, comparison, begun
+        self.state, self._open, self._comparison = state, opened, comparison
+        self.simulated = simulated
         self._tell_scores()
         if not moved:
             self.tell_study()
@@ -187,10 +199,10 @@ class OpenStudy:
     def draw_passing(self, values: Mapping[str, float]) -> None:
         """Draws the standing model at other values, without making them those of the study."""
         passing = replace(self.state, values=values, milestone="")
-        runs, _ = self.opened.simulators.run(passing.data, values)
+        runs = self.opened.simulators.run(passing.data, values).runs
         self._draw(passing, runs)
         comparison = scored_runs(passing, self.opened, runs)
-        self.windows.tell(scores_event(passing, self.opened, comparison, self.version))
+        self.windows.tell(scores_event(passing, self.opened, comparison, self.version, {}))
 
     def start_values_of(self, run: str) -> dict[str, float]:
         """Where a run begins, by "state@run" [SI].
@@ -198,14 +210,18 @@ class OpenStudy:
         Raises:
             InputError: there is no such run, or what was before its first sample determines where it begins.
         """
-        recordings = {one.name: one for one in self.state.data.runs if not one.is_static}
+        recordings = {
+            run_data.name: run_data for run_data in self.state.data.runs if not run_data.is_static
+        }
         recording = recordings[one_of(run, recordings, "recording")]
-        found = courses(recording, self.state, self.opened, self._begun, only_start=True)
-        if not found:
+        trajectories = courses(
+            recording, self.state, self.opened, self.simulated.starts, only_start=True
+        )
+        if not trajectories:
             raise InputError(
                 f"{run} begins as what was before its first sample says: choose how it begins first"
             )
-        return {f"{name}@{run}": float(values[0]) for name, values in found.items()}
+        return {f"{name}@{run}": float(values[0]) for name, values in trajectories.items()}
 
     def _draw(self, state: State, runs: Sequence[RunComparison]) -> None:
         self.version += 1
@@ -213,7 +229,10 @@ class OpenStudy:
         self.windows.send(frame("model", self.version, curves, standing_label(state)), "model")
 
     def _tell_scores(self) -> None:
-        self.windows.tell(scores_event(self.state, self.opened, self.comparison, self.version))
+        failures = self.simulated.failures
+        self.windows.tell(
+            scores_event(self.state, self.opened, self.comparison, self.version, failures)
+        )
         self.tell_steps()
         if not self._looking:
             self._looking = True
@@ -239,7 +258,9 @@ class OpenStudy:
 
     def tell_starts(self) -> None:
         """Sends where runs begin."""
-        self.windows.tell(self._starts.event(self.state, self.opened, self._begun, self.version))
+        self.windows.tell(
+            self._starts.event(self.state, self.opened, self.simulated.starts, self.version)
+        )
 
     def shown_study(self) -> Json:
         """The event of what changes seldom."""

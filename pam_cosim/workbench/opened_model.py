@@ -70,11 +70,11 @@ def open_model(
     Raises:
         InputError: as ``Catalogue.composed``, or a model that lacks what the data set fits.
     """
-    own: dict[str, tuple[str, ...]] = {}
+    parameters_by_effect: dict[str, tuple[str, ...]] = {}
     text, name, needed = "", model, catalogue.files
     if effects:
         composition = catalogue.composed(model, effects)
-        text, own = composition.text, composition.parameters
+        text, parameters_by_effect = composition.text, composition.parameters
         file = scratch / f"{composition.name}.mo"
         write_text(file, text)
         name, needed = str(file), catalogue.sources(model)
@@ -84,11 +84,11 @@ def open_model(
     try:
         parameters = {free.name: free for free in base_parameters(data, simulator.interface)}
         origin = {}
-        for effect, names in own.items():
-            for one in names:
-                if one not in parameters:
-                    parameters[one] = model_parameter(one, simulator.interface)
-                    origin[one] = effect
+        for effect, names in parameters_by_effect.items():
+            for parameter in names:
+                if parameter not in parameters:
+                    parameters[parameter] = model_parameter(parameter, simulator.interface)
+                    origin[parameter] = effect
     except BaseException:
         simulators.close()
         raise

@@ -29,11 +29,13 @@ def safe_name(name: str) -> str:
 
 def free_name(name: str, taken: Collection[str]) -> str:
     """The name of a file, numbered where there is one of that name, in whatever case, already."""
-    used = {one.casefold() for one in taken}
+    used = {name_in_use.casefold() for name_in_use in taken}
     stem, dot, ending = name.rpartition(".")
     stem, ending = (stem, dot + ending) if stem else (name, "")
     numbered = (f"{stem[: _LONGEST - len(ending) - 5]}-{i}{ending}" for i in count(2))
-    return next(one for one in chain([name], numbered) if one.casefold() not in used)
+    return next(
+        candidate for candidate in chain([name], numbered) if candidate.casefold() not in used
+    )
 
 
 def is_name_here(name: str) -> bool:

@@ -78,20 +78,20 @@ def event(kind: str, /, **fields: object) -> Json:
     return {"event": kind, **plain(fields)}
 
 
-def selected(product: object, keys: str, si_unit: str = "", /, **others: object) -> Json:
+def selected(product: object, keys: str, si_unit: str = "", /, **fields: object) -> Json:
     """A record of a message: fields of a product, and others with them.
 
     Args:
         product: any object.
         keys: of the fields, in the form of ``Plain.json_keys``.
         si_unit: of the fields, if they are quantities: these are converted to the readable unit.
-        others: further fields.
+        fields: further fields.
     """
     record = plain_fields(product, keys)
     if si_unit:
         factor = readable_factor(si_unit)
         record = {key: value and value * factor for key, value in record.items()}
-    return record | others
+    return record | fields
 
 
 def text_of_message(message: Json) -> str:

@@ -272,7 +272,9 @@ def checked_content(content: Any, models: Collection[str]) -> SavedContent:
 
 def complaint(error: ValidationError) -> str:
     """What is wrong, and where."""
-    worst = min(error.errors(include_url=False), key=lambda one: one["type"] != "extra_forbidden")
+    worst = min(
+        error.errors(include_url=False), key=lambda details: details["type"] != "extra_forbidden"
+    )
     place = ".".join(part if isinstance(part, str) else str(part + 1) for part in worst["loc"])
     words = str(worst.get("ctx", {}).get("error", worst["msg"]))
     return f"{shown(place)[1:-1]}: {words}" if place else words
@@ -375,8 +377,8 @@ def _state(content: SavedContent, folder: Path, first: State) -> State:
         chosen=content.chosen.model_dump(exclude_unset=True),
         fit=_product(content.fit, folder, Fit),
         diagnosis=_product(content.diagnosis, folder, Diagnosis),
-        rungs=tuple(one.model_dump() for one in content.ladder),
-        steps=tuple(_step(one) for one in content.steps),
+        rungs=tuple(rung.model_dump() for rung in content.ladder),
+        steps=tuple(_step(step) for step in content.steps),
         loaded=len(content.steps),
         **selected(content, _SAME)
         | {"effects": tuple(content.effects), "diagnosed": tuple(content.diagnosed)},

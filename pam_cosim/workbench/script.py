@@ -99,12 +99,16 @@ class _Script:
 
     def reading(self) -> str:
         """The lines that read the data set."""
-        said = {n: value for n, value in self.chosen.items() if value or n == "free"}
-        options = "".join(f", {name}={said[name]!r}" for name in OF_RUNS if name in said)
+        statements = {n: value for n, value in self.chosen.items() if value or n == "free"}
+        options = "".join(
+            f", {name}={statements[name]!r}" for name in OF_RUNS if name in statements
+        )
         lines = [f"data = pam.read(folder, model={self.base!r}, files=files{options})"]
-        if "signals" in said:
-            lines.append(f"data = data.with_signals({said['signals']!r})")
-        stated: dict[str, Any] = {name: said[name] for name in ("values", "free") if name in said}
+        if "signals" in statements:
+            lines.append(f"data = data.with_signals({statements['signals']!r})")
+        stated: dict[str, Any] = {
+            name: statements[name] for name in ("values", "free") if name in statements
+        }
         if stated:
             lines.append(
                 f"data = pam.problem(data, {self.base!r}, {_stated(stated, *stated)}files=files).data"

@@ -182,8 +182,8 @@ def application(workbench: Workbench, token: str, page: Path = PAGE) -> ASGIApp:
             text = await asyncio.to_thread(document, workbench.session, name)
         except InputError as problem:
             return PlainTextResponse(f"{problem.message}\n", 409)
-        said = {"Content-Disposition": f'attachment; filename="{name}"'}
-        return Response(text, media_type=NAMES[name], headers=said)
+        headers = {"Content-Disposition": f'attachment; filename="{name}"'}
+        return Response(text, media_type=NAMES[name], headers=headers)
 
     async def drop(request: Request) -> Response:
         try:

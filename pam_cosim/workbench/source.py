@@ -42,12 +42,12 @@ class MeasurementSource:
         Raises:
             InputError: the data set cannot be read with these.
         """
-        said = chosen or {}
-        of_runs = {key: said[key] for key in OF_RUNS if key in said}
+        choices = chosen or {}
+        of_runs = {key: choices[key] for key in OF_RUNS if key in choices}
         data = study.read(self.folder, model=model, files=self.files, **of_runs)
-        if "signals" in said:
-            data = data.with_signals(said["signals"])
-        values, free = said.get("values"), said.get("free")
+        if "signals" in choices:
+            data = data.with_signals(choices["signals"])
+        values, free = choices.get("values"), choices.get("free")
         resolved = problem(data, model, files=self.files, values=values, free=free)
         return data_with_starts(resolved), resolved.values
 

@@ -60,8 +60,8 @@ class StartsShown:
         )
         shown = {"run": run.name, "mode": mode, "modes": _modes(opened)}
         try:
-            known = all(f"{name}@{run.name}" in self._reach for name in interface.states)
-            course = courses(run, state, opened, begun, only_start=known)
+            reach_is_set = all(f"{name}@{run.name}" in self._reach for name in interface.states)
+            course = courses(run, state, opened, begun, only_start=reach_is_set)
         except SimulationFailure as failure:
             return shown | {"text": f"{run.name}: {failure}", "warning": True, "values": []}
         return shown | {

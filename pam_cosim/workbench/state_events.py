@@ -8,6 +8,7 @@ from pathlib import PureWindowsPath
 
 from pam_cosim.comparison import Comparison, Rule, SignalScore, score, warnings_of
 from pam_cosim.compiler.names import last
+from pam_cosim.errors import SimulationFailure
 from pam_cosim.files import plain
 from pam_cosim.fitting import METHODS, Estimate, Free
 from pam_cosim.measurement import ROLES, DataSet, Run
@@ -139,7 +140,13 @@ def _levels(scores: Mapping[str, SignalScore], data: DataSet) -> Json:
     }
 
 
-def scores_event(state: State, opened: Opened, comparison: Comparison, version: int) -> Json:
+def scores_event(
+    state: State,
+    opened: Opened,
+    comparison: Comparison,
+    version: int,
+    failures: Mapping[str, SimulationFailure],
+) -> Json:
     """The event of how far the standing model is from the measurement."""
     signals = comparison.data.signals
     now = rung_of(standing_label(state), comparison)
@@ -149,8 +156,8 @@ def scores_event(state: State, opened: Opened, comparison: Comparison, version: 
         scores={role: now[role] for role in ROLES},
         runs={
             r.run.name: {
-                name: one.rmse * readable_factor(signals[name].unit)
-                for name, one in score([r], signals).items()
+                name: signal_score.rmse * readable_factor(signals[name].unit)
+                for name, signal_score in score([r], signals).items()
             }
             for r in comparison.runs
         },
@@ -158,7 +165,11 @@ def scores_event(state: State, opened: Opened, comparison: Comparison, version: 
         values={
             f.name: value_of(f, state) * readable_factor(f.unit) for f in opened.parameters.values()
         },
-        warnings=warnings_of(comparison.runs),
+        warnings=[
+            *(f"{run} cannot be simulated: {failure}" for run, failure in failures.items()),
+            *warnings_of(comparison.runs),
+        ],
+        failed=[{"run": run, "text": str(failure)} for run, failure in failures.items()],
     )
 
 

@@ -54,8 +54,8 @@ def _numbers(values: Mapping[str, float]) -> str:
 def with_step(steps: Sequence[Step], step: Step, closed: int = 0) -> tuple[Step, ...]:
     """The steps and one more; values of the same names that are dragged are one step, but for the first ``closed``."""
     last = steps[-1] if len(steps) > closed else step
-    told, names = last.arguments, step.arguments.get("moved", step.arguments.get("values", ()))
-    dragged = step.arguments.get("dragged") and told.get("dragged") and last is not step
-    if dragged and {*told.get("moved", told["values"])} == {*names}:
+    arguments, names = last.arguments, step.arguments.get("moved", step.arguments.get("values", ()))
+    dragged = step.arguments.get("dragged") and arguments.get("dragged") and last is not step
+    if dragged and {*arguments.get("moved", arguments["values"])} == {*names}:
         return (*steps[:-1], step)
     return (*steps, step)

@@ -32,13 +32,13 @@ Tell = Callable[[object], None]
 
 def fit(tell: Tell, data: Any, model: str, options: dict[str, Any]) -> Any:
     """``study.fit``, telling each ``FitProgress`` but for those that come too fast to be seen, and the last."""
-    told, last = 0.0, None
+    sent_at, last = 0.0, None
 
     def progress(standing: FitProgress) -> None:
-        nonlocal told, last
+        nonlocal sent_at, last
         last = standing
-        if time.monotonic() - told >= _PACE:
-            told, last = time.monotonic(), None
+        if time.monotonic() - sent_at >= _PACE:
+            sent_at, last = time.monotonic(), None
             tell(standing)
 
     fitted = study.fit(data, model, progress=progress, **options)

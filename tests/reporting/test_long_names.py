@@ -16,14 +16,16 @@ from matplotlib.text import Text
 from pam_cosim.diagnosis.planning import PlannedRun, RunPlan
 from pam_cosim.diagnosis.planning.run_plan import Separation
 from pam_cosim.errors import InputError
+from pam_cosim.fitting import Estimate
 from pam_cosim.reporting import draw
 from pam_cosim.reporting.diagnosis_page import layers_of, rungs_of
+from pam_cosim.reporting.figures.fitted import fit_figure
 from pam_cosim.reporting.figures.ladder import Rung
 from pam_cosim.reporting.figures.showcase import showcase
 from pam_cosim.reporting.plots import figure_of
 from pam_cosim.reporting.representative_run import most_telling
 from pam_cosim.reporting.style import drawing, image
-from tests.reporting.synthetic import make_comparison, make_data, make_diagnosis
+from tests.reporting.synthetic import make_comparison, make_data, make_diagnosis, make_fit
 
 LONG = "muscle.sleeve.alpha_0/stated of the upper"  # as long as the longest of the catalogue
 RIVALS = tuple(f"{LONG}.{i} + ProportionalFriction" for i in range(4))
@@ -80,8 +82,15 @@ def many_runs() -> Figure:
     return figure_of(make_comparison(make_data(("fit", "holdout") * 6, 60), 3.0))
 
 
+def long_fit() -> Figure:
+    """Four parameters with long names, their correlations, and two descents."""
+    estimates = {f"{LONG}.{i}": Estimate(1e3, 900.0, 1100.0, "Pa") for i in range(4)}
+    fit = make_fit(make_data(("fit",), 60), 1.0, estimates)
+    return fit_figure(replace(fit, correlation=np.eye(4)))
+
+
 @pytest.mark.parametrize("width", [None, NARROW], ids=["page", "column"])
-@pytest.mark.parametrize("made", [long_diagnosis, long_plan, many_runs])
+@pytest.mark.parametrize("made", [long_diagnosis, long_plan, many_runs, long_fit])
 def test_nothing_is_cut_off_and_axes_keep_room(
     made: Callable[[], Figure], width: float | None
 ) -> None:

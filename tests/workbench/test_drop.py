@@ -259,5 +259,5 @@ def test_what_cannot_be_opened_leaves_nothing_that_blocks_the_next_try(
     assert window.last("study")["state"] == "open"
 
 
-def _fails() -> None:
+def _fails(complete: bool) -> None:
     raise SimulationFailure("the solver's step became too small")

@@ -193,6 +193,23 @@ def test_roles_are_changed_for_the_study(window: Window, recorded: Path) -> None
     )
 
 
+def test_a_study_of_which_a_run_cannot_be_simulated_opens_and_names_the_run(folder: Path) -> None:
+    file = folder / "run-02.csv"
+    header, *rows = (line.split(",") for line in file.read_text().splitlines())
+    column = next(i for i, name in enumerate(header) if name.startswith("x "))
+    for row in rows:
+        row[column] = str(float(row[column] or "nan") - 313)
+    file.write_text("\n".join(",".join(row) for row in (header, *rows)))
+    with Session(folder) as session:
+        window = Window(session)
+        scores = window.last("scores")
+        assert [run["run"] for run in scores["failed"]] == ["run-02"]
+        assert scores["warnings"][0].startswith("run-02 cannot be simulated: the solver's step")
+        assert rms(scores["scores"], "fit")["x"] > 0 and not scores["scores"]["holdout"]
+        window.do(do="set", values={"valve.C_A": 0.71})
+        assert window.last("scores")["values"]["valve.C_A"] == 0.71
+
+
 def test_two_studies_do_not_mix(window: Window, recorded: Path) -> None:
     with Session(recorded) as other:
         second = Window(other)

@@ -55,20 +55,20 @@ def swarm(
     at = low + random.random((particles, len(low))) * span
     velocity = (random.random(at.shape) - 0.5) * span
     costs = np.array([cost(z) for z in at])
-    own, own_costs = at.copy(), costs.copy()
+    best_places, own_costs = at.copy(), costs.copy()
     lowest = [float(own_costs.min())]
     for _ in range(generations):
-        best = own[int(np.argmin(own_costs))]
-        pull = OWN_PULL * random.random(at.shape) * (own - at) + COMMON_PULL * random.random(
-            at.shape
-        ) * (best - at)
+        best = best_places[int(np.argmin(own_costs))]
+        pull = OWN_PULL * random.random(at.shape) * (
+            best_places - at
+        ) + COMMON_PULL * random.random(at.shape) * (best - at)
         velocity = INERTIA * velocity + pull
         at = np.clip(at + velocity, low, high)
         costs = np.array([cost(z) for z in at])
         better = costs < own_costs
-        own[better], own_costs[better] = at[better], costs[better]
+        best_places[better], own_costs[better] = at[better], costs[better]
         lowest.append(float(own_costs.min()))
-    return Swarm(own[int(np.argmin(own_costs))], np.array(lowest))
+    return Swarm(best_places[int(np.argmin(own_costs))], np.array(lowest))
 
 
 def minimise(problem: FitProblem) -> Solution:
@@ -89,9 +89,11 @@ def swarm_search(problem: FitProblem) -> GlobalSearch:
     """
     objective = problem.objective
     before = objective.evaluations
-    found = swarm(objective.cost, *objective.bounds)
-    if not np.isfinite(found.costs[-1]):
+    optimum = swarm(objective.cost, *objective.bounds)
+    if not np.isfinite(optimum.costs[-1]):
         raise SimulationFailure(
             f"no particle of the swarm can be simulated: {objective.first_failure}"
         )
-    return searched(f"swarm of {PARTICLES} particles", objective, found.best, found.costs, before)
+    return searched(
+        f"swarm of {PARTICLES} particles", objective, optimum.best, optimum.costs, before
+    )

@@ -74,17 +74,17 @@ def bode(model: LinearModel) -> Figure:
 def poles_along(linear_models: LinearModels) -> Figure:
     """The poles over the time of a run: how fast, and how damped."""
     figure = new_figure(8.0, 3.4)
-    left, right = figure.subplots(1, 2)
+    pole_axes, right = figure.subplots(1, 2)
     times, poles = linear_models.times, linear_models.poles
     for j in range(poles.shape[1]):
         colour = BALANCES[j % len(BALANCES)]
-        left.semilogy(times, np.abs(poles[:, j]), "o", color=colour, ms=4)
+        pole_axes.semilogy(times, np.abs(poles[:, j]), "o", color=colour, ms=4)
         with np.errstate(invalid="ignore", divide="ignore"):
             right.plot(times, -poles[:, j].real / np.abs(poles[:, j]), "o", color=colour, ms=4)
-    left.set(xlabel="time [s]", ylabel="size of the pole [1/s]")
+    pole_axes.set(xlabel="time [s]", ylabel="size of the pole [1/s]")
     right.set(xlabel="time [s]", ylabel="damping ratio")
-    plain_decades(left.yaxis)
-    for axes in (left, right):
+    plain_decades(pole_axes.yaxis)
+    for axes in (pole_axes, right):
         axes.grid(True)
     return figure
 

@@ -13,9 +13,9 @@ from pam_cosim.arrays import Array
 from pam_cosim.fitting import Fit, Profile, Profiles
 from pam_cosim.fitting.profile import INTERVAL_RISE
 from pam_cosim.reporting.account.labels import short_model
-from pam_cosim.reporting.account.wording import unit_text
+from pam_cosim.reporting.account.wording import unit_text, wrapped
 from pam_cosim.reporting.figures.bode import plain_decades
-from pam_cosim.reporting.style import BLUE, INK, SOFT, VERMILLION, message, new_figure
+from pam_cosim.reporting.style import BLUE, INK, SOFT, VERMILLION, is_narrow, message, new_figure
 from pam_cosim.units import readable_factor
 
 _COLUMNS = 3
@@ -26,8 +26,9 @@ def fit_figure(fit: Fit) -> Figure:
     parts = [_convergence, _waterfall, _matrix]
     if len(fit.convergence.descents) == 1:
         parts.remove(_waterfall)
-    figure = new_figure(4.0 * len(parts), 3.8)
-    for axes, part in zip(figure.subplots(1, len(parts)), parts, strict=True):
+    shape = (len(parts), 1) if is_narrow() else (1, len(parts))
+    figure = new_figure(4.0 * shape[1], 3.8 * shape[0])
+    for axes, part in zip(figure.subplots(*shape), parts, strict=True):
         part(axes, fit)
     title = f"{fit.comparison.data.title}: {short_model(fit.model)}"
     figure.suptitle(title, x=0.01, ha="left", fontsize=9.5)
@@ -89,8 +90,9 @@ def _matrix(axes: Axes, fit: Fit) -> None:
             axes.text(
                 j, i, f"{matrix[i, j]:.2f}", ha="center", va="center", fontsize=7, color=colour
             )
-    axes.set_xticks(range(len(names)), names, rotation=45, ha="right")
-    axes.set_yticks(range(len(names)), names)
+    numbered = [f"{wrapped(name, 20, 3)} ({i})" for i, name in enumerate(names, 1)]
+    axes.set_xticks(range(len(names)), [f"({i})" for i in range(1, len(names) + 1)])
+    axes.set_yticks(range(len(names)), numbered)
     axes.tick_params(length=0)
     axes.set_title("correlation of the estimates", loc="left")
 
@@ -98,8 +100,8 @@ def _matrix(axes: Axes, fit: Fit) -> None:
 def profile_figure(made: Profiles) -> Figure:
     """A panel for each parameter: the rise of chi-square, and the level where the 95 % interval ends."""
     count = len(made.profiles)
-    rows = max(1, ceil(count / _COLUMNS))
-    columns = min(_COLUMNS, max(count, 1))
+    columns = 1 if is_narrow() else min(_COLUMNS, max(count, 1))
+    rows = max(1, ceil(count / columns))
     figure = new_figure(3.8 * columns, 2.7 * rows)
     panels = figure.subplots(rows, columns, squeeze=False).ravel()
     for axes, profile in zip(panels, made.profiles.values(), strict=False):
@@ -132,7 +134,7 @@ def _profile(axes: Axes, profile: Profile) -> None:
         fontsize=7.5,
     )
     axes.set_ylim(-0.05 * INTERVAL_RISE, max(1.2 * INTERVAL_RISE, 0.1))
-    axes.set_xlabel(f"{profile.name} [{unit}]" if unit else profile.name)
+    axes.set_xlabel(wrapped(f"{profile.name} [{unit}]" if unit else profile.name, 40))
     axes.set_ylabel("rise of chi-square")
     axes.set_title("" if profile.determined else "not determined", loc="left", color=VERMILLION)
     axes.grid(True)

@@ -45,7 +45,7 @@ class Rung:
     scores: Mapping[str, Mapping[str, SignalScore]]
 
 
-def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, room: float) -> None:
+def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, room: float) -> list[Line2D]:
     """Bars of the rms error of one signal, a group for each rung, one bar for each role that has runs.
 
     Args:
@@ -53,6 +53,9 @@ def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, room: float) 
         rungs: the models.
         signal: of which the error is.
         room: width of the axes [in].
+
+    Returns:
+        Handles of a legend with the labels that have no room under the bars, where numbers stand for them.
     """
     factor = readable_factor(signal.unit)
     roles = [r for r in ROLES if any(signal.name in rung.scores.get(r, {}) for rung in rungs)]
@@ -81,13 +84,17 @@ def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, room: float) 
     axes.axhline(noise, color=INK, lw=1.1, dashes=(3, 2), zorder=5)
     axes.set_ylim(0, 1.16 * highest or 1)
     space = 1.2 if len(rungs) == 1 else 0.6
-    each = letters_in(0.85 * room / max(len(rungs), 2))
+    each = letters_in(0.8 * room / max(len(rungs), 2))
     axes.set_xlim(-space, len(rungs) - 1 + space)
-    axes.set_xticks(range(len(rungs)), [wrapped(r.label, each, 4) for r in rungs])
+    labels = {i: wrapped(r.label, each, 4) for i, r in enumerate(rungs)}
+    too_long = [i for i, label in labels.items() if "…" in label]
+    labels |= {i: f"({i})" for i in too_long}
+    axes.set_xticks(range(len(rungs)), list(labels.values()))
     axes.tick_params(axis="x", length=0, labelcolor=INK)
     axes.grid(True, axis="y")
     unit = unit_text(signal.unit)
     axes.set_ylabel(f"rms error [{unit}]" if unit else "rms error")
+    return [Line2D([], [], ls="", label=f"({i}) {rungs[i].label}") for i in too_long]
 
 
 def _draw_bar(axes: Axes, at: float, height: float, width: float, role: str, colour: str) -> None:
@@ -123,8 +130,9 @@ def ladder_picture(rungs: Sequence[Rung], signals: Sequence[Signal]) -> Picture:
     with drawing():
         figure = new_figure(WIDTH if columns > 1 else 0.7 * WIDTH, 0.5 + 2.5 * rows)
         grid = figure.subplots(rows, columns, squeeze=False).ravel()
+        named: list[Line2D] = []
         for axes, signal in zip(grid, signals, strict=False):
-            draw_ladder(axes, rungs, signal, figure.get_size_inches()[0] / columns)
+            named = draw_ladder(axes, rungs, signal, figure.get_size_inches()[0] / columns)
             axes.set_title(
                 signal.name if signal.fitted else f"{signal.name} (not fitted)",
                 loc="left",
@@ -132,7 +140,7 @@ def ladder_picture(rungs: Sequence[Rung], signals: Sequence[Signal]) -> Picture:
             )
         for axes in grid[len(signals) :]:
             axes.set_visible(False)
-        legend_outside(figure, ladder_legend(roles_of(rungs)))
+        legend_outside(figure, [*ladder_legend(roles_of(rungs)), *named])
         return picture(
             figure, "Root mean square error of each signal, model by model", _caption(rungs)
         )

@@ -28,8 +28,8 @@ def showcase(
     shape = {"height_ratios": [1, 1]} if narrow else {"width_ratios": [1 - share, share]}
     above, below = figure.subplots(*((2, 1) if narrow else (1, 2)), **shape)
     above.grid(True)
-    every = -(-run.run.sample_count(signal.name) // _DOTS)
-    draw_curves(above, run, signal, layers, every)
+    interval = -(-run.run.sample_count(signal.name) // _DOTS)
+    draw_curves(above, run, signal, layers, interval)
     unit = unit_text(signal.unit)
     above.set_ylabel(f"{signal.name} [{unit}]" if unit else signal.name)
     above.set_xlabel(over(run))
@@ -40,7 +40,7 @@ def showcase(
     for axes, title, room in zip((above, below), titles, rooms, strict=True):
         text = wrapped(title, int(0.8 * letters_in(room)))
         axes.set_title(text, loc="left", fontweight="bold")
-    draw_ladder(below, rungs, signal, rooms[1])
-    handles = [*legend(layers, True, every), *ladder_legend(roles_of(rungs))]
+    named = draw_ladder(below, rungs, signal, rooms[1])
+    handles = [*legend(layers, True, interval), *ladder_legend(roles_of(rungs)), *named]
     legend_outside(figure, handles, "outside lower center")
     return figure

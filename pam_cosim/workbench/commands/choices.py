@@ -142,10 +142,15 @@ def _choose(
     """Reads the data set anew with more that is chosen; the ladder begins anew where it would compare other samples."""
     state = study.state
     chosen, kept = {**state.chosen, **more}, dict(state.values if values is None else values)
-    data, known = study.source.read(study.bench, chosen)
+    data, model_values = study.source.read(study.bench, chosen)
     step = Step(do, {"text": text, "chosen": chosen, "values": kept})
     rungs = state.rungs if do in ("free", "state") else ()
-    changes: dict[str, Any] = {"data": data, "known": known, "chosen": chosen, "values": kept}
+    changes: dict[str, Any] = {
+        "data": data,
+        "known": model_values,
+        "chosen": chosen,
+        "values": kept,
+    }
     study.enter(state.after(step, rungs=rungs, before=None, milestone="", **changes))
 
 

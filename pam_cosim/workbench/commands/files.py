@@ -108,8 +108,8 @@ def load(study: StudyWithJobs) -> None:
         state = replace(state, steps=steps, loaded=len(steps))
     if state.chosen or state.model != first.model:
         model = first.data.unmapped if state.model == first.model else ""
-        data, known = study.source.read(model or state.model, state.chosen)
-        state = replace(state, data=data, known=known)
+        data, values = study.source.read(model or state.model, state.chosen)
+        state = replace(state, data=data, known=values)
     before = study.state
     study.back(state)
     study.remember(before)

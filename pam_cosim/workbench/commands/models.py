@@ -51,13 +51,13 @@ def choose(study: StudyWithJobs, model: str) -> None:
         raise InputError("choose wants the name of a bench or of a Modelica class")
     state = study.state
     chosen = {key: value for key, value in state.chosen.items() if key in OF_RUNS}
-    data, known = study.source.read(name, chosen)
+    data, values = study.source.read(name, chosen)
     same = data.signals.keys() == state.data.signals.keys()
     study.enter(
         state.after(
             Step("choose", {"model": name}),
             data=data,
-            known=known,
+            known=values,
             chosen=chosen,
             model=name,
             effects=(),
