@@ -248,15 +248,23 @@ class StartChoice:
 
 
 def _explains(probe: StartProbe, start: InitialState) -> bool:
-    """Whether all signals are much nearer to their first samples from there: a missing force would remain."""
-    aims = np.array([sample.value for sample in probe.first.values()])
-    noise = np.array([probe.data.signals[name].sigma for name in probe.signals])
+    """Whether the signals are much nearer to their first samples from there: a missing force would remain.
+
+    Where instruments read states themselves, these signals decide: the others follow by laws that may lack an effect.
+    """
+    units = {n: probe.data.signals[n].unit for n in probe.signals}
+    states = probe.simulator.interface.start_values
+    readings = {n for state, n in start.shown.items() if units[n] == states[state].unit}
+    places = [i for i, n in enumerate(probe.signals) if n in readings or not readings]
+    aims = np.array([sample.value for sample in probe.first.values()])[places]
+    noise = np.array([probe.data.signals[name].sigma for name in probe.signals])[places]
 
     def squares(begin: InitialState) -> float:
-        signals = probe.at(begin.values, begin.settle)[0][: len(aims)]
+        signals = probe.at(begin.values, begin.settle)[0][places]
         return float(np.sum(((signals - aims) / noise) ** 2))
 
-    return squares(InitialState()) > CRITERIA.starts.worth * squares(start)
+    rest, least = squares(InitialState()), CRITERIA.starts.away**2
+    return rest > max(least, CRITERIA.starts.worth * squares(start))
 
 
 def _first_samples_text(run: Run, offsets: Sequence[FirstOffset]) -> str:
