@@ -195,7 +195,7 @@ def _guessed_roles(
     ]
     if unknown:
         return [Role("fit") for _ in mapped.runs]
-    traits = [{n: one.number for n, one in run.items() if not one.is_start} for run in told]
+    traits = [{n: one.number for n, one in run.items()} for run in told]
     return roles(mapped.runs, bench.interface, traits)
 
 

@@ -9,16 +9,10 @@ import numpy as np
 
 from pam_cosim.drafting.benches import Bench
 from pam_cosim.drafting.columns import RecordedColumn
-from pam_cosim.drafting.entries import (
-    NONZERO_READING,
-    Mapped,
-    MappedRun,
-    length_parameter,
-    longest_of,
-)
+from pam_cosim.drafting.entries import Mapped, MappedRun, length_parameter, longest_of
 from pam_cosim.drafting.evidence import Evidence
 from pam_cosim.drafting.headings import AT_REST, Headings, Meaning, load_in
-from pam_cosim.drafting.shapes import REST_BAND, begins_still, is_constant, noise_of, span
+from pam_cosim.drafting.shapes import REST_BAND, is_constant, span
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, parse_quantity, readable_factor, readable_unit
@@ -38,15 +32,11 @@ _ENOUGH = 3  # measures of a sleeve, one of them around, determine it
 
 @dataclass(frozen=True)
 class StatedValue:
-    """A value that is known of one recording: as text for the file, and why.
-
-    ``is_start``: the recording itself happens to begin so; nobody chose it.
-    """
+    """A value that is known of one recording: as text for the file, and why."""
 
     value: str
     number: float
     why: str
-    is_start: bool = False
 
 
 def text_of(value: float, unit: str) -> str:
@@ -133,7 +123,7 @@ def neutral(evidence: Evidence, bench: Bench) -> dict[str, str]:
 def values_told(evidence: Evidence, bench: Bench, mapped: Mapped) -> list[dict[str, StatedValue]]:
     """What each recording tells of itself, as far as the user does not state it: the last of these that does counts.
 
-    Where it begins, loads in its name, what its columns hold besides, remarks above its rows, what the user states.
+    Where an input begins, loads in its name, what its columns hold besides, remarks above its rows, the user.
     """
     interface, headings = bench.interface, evidence.headings
     left = [
@@ -141,9 +131,8 @@ def values_told(evidence: Evidence, bench: Bench, mapped: Mapped) -> list[dict[s
     ]
     loads = _loads(evidence, interface)
     told = []
-    for i, run in enumerate(mapped.runs):
-        own = {} if evidence.points else _starts(run, interface, headings)
-        own |= loads[i]
+    for i in range(len(evidence.sources)):
+        own = loads[i] if evidence.points else {**_starts(mapped.runs[i], interface), **loads[i]}
         for column in left:
             own |= _of_column(column, i, interface, headings)
         own |= _of_remarks(i, evidence, bench)
@@ -155,39 +144,21 @@ def values_told(evidence: Evidence, bench: Bench, mapped: Mapped) -> list[dict[s
     return told
 
 
-def _starts(run: MappedRun, interface: Interface, headings: Headings) -> dict[str, StatedValue]:
-    """Start values that a recording tells where it begins at rest: what is called ``NAME_start`` begins as NAME."""
-    if run.first_rest is None and not begins_still(run.time, list(run.every.values())):
-        return {}
+def _starts(run: MappedRun, interface: Interface) -> dict[str, StatedValue]:
+    """Starts of what an input drives, as ``drive.s_start`` of ``s``; those of measured states are estimated."""
     told = {}
-    variables = {**interface.inputs, **interface.outputs}
     for name, parameter in interface.parameters.items():
-        short = name.rpartition(".")[2]
-        bare = short.removesuffix("_start")
-        meaning = headings.meaning_of(short, parameter.description, parameter.unit)
-        signal = next(
-            (
-                one
-                for one in run.every
-                if bare in (one, one.partition("_")[0])
-                and meaning == headings.variable(variables[one])
-                and np.isfinite(run.every[one]).any()
-            ),
-            None,
-        )
-        if bare == short or signal is None or meaning is None:
+        signal = name.rpartition(".")[2].removesuffix("_start")
+        values = run.inputs.get(signal)
+        if not name.endswith("_start") or values is None or not np.isfinite(values).any():
             continue
-        values = run.every[signal]
         rest = run.first_rest
         part = values[rest.start : rest.stop] if rest else values[np.isfinite(values)][:1]
-        first, usual = float(np.nanmean(part)), parameter.start or 0.0
-        least = max(REST_BAND * span(values), NONZERO_READING * noise_of(run.time, values))
-        if abs(first - usual) > least and first >= (
-            parameter.min if parameter.min is not None else -np.inf
+        first = float(np.nanmean(part))
+        if abs(first - (parameter.start or 0.0)) > REST_BAND * span(values) and _is_possible(
+            first, parameter
         ):
-            told[name] = StatedValue(
-                text_of(first, parameter.unit), first, f"{signal} begins so", True
-            )
+            told[name] = StatedValue(text_of(first, parameter.unit), first, f"{signal} begins so")
     return told
 
 
