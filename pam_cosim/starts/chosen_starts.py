@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from math import log
 
 import numpy as np
 
@@ -259,7 +260,7 @@ def _explains(probe: StartProbe, start: InitialState) -> bool:
         signals = probe.at(begin.values, begin.settle)[0][: len(aims)]
         return float(np.sum(np.log1p(((signals - aims) / noise) ** 2)))
 
-    return misfit(InitialState()) > np.log(CRITERIA.starts.worth) + misfit(start)
+    return misfit(InitialState()) - misfit(start) > log(CRITERIA.starts.worth)
 
 
 def _first_samples_text(run: Run, offsets: Sequence[FirstOffset]) -> str:
