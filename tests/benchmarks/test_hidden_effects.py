@@ -125,7 +125,6 @@ def result(
         ("catalogue", ["leak"], "identified", ["leak", "creep"], "wrong"),
         ("catalogue", ["leak"], "ambiguous", ["creep", "leak"], "ambiguous"),
         ("catalogue", ["leak"], "ambiguous", ["creep", "end_shape"], "wrong"),
-        ("catalogue", ["leak"], "unknown", ["leak"], "unknown"),
         ("catalogue", ["leak"], "none_missing", [], "missed"),
         ("pair", ["leak", "creep"], "identified", ["creep", "leak"], "right"),
         ("null", [], "none_missing", [], "right"),

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import re
+import shutil
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -149,8 +151,6 @@ def test_a_process_that_dies_is_told_and_replaced(window: Window, shared: Sessio
 def test_a_hidden_effect_is_found_added_and_the_error_at_the_noise(
     recorded: Path, tmp_path: Path
 ) -> None:
-    import shutil
-
     folder = Path(shutil.copytree(recorded, tmp_path / "my-rig"))
     with Session(folder) as session:
         window = Window(session)
@@ -173,25 +173,26 @@ def test_a_hidden_effect_is_found_added_and_the_error_at_the_noise(
 
 @pytest.mark.full
 def test_memory_is_flat_over_a_thousand_moves_and_twenty_fits(
-    shared: Session, window: Window
+    recorded: Path, tmp_path: Path
 ) -> None:
-    import os
-
     def size() -> float:
         with open(f"/proc/{os.getpid()}/statm") as file:
             return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 1e6
 
-    def some(moves: int, fits: int) -> None:
-        for i in range(moves):
-            window.do(do="set", values={"valve.C_A": 0.6 + 0.0002 * (i % 1000)})
-            window.forget()
-        for _ in range(fits):
-            window.work(do="fit")
+    with Session(Path(shutil.copytree(recorded, tmp_path / "my-rig"))) as session:
+        window = Window(session)
 
-    some(100, 2)
-    before = size()
-    some(1000, 20)
-    assert size() - before < 30, f"from {before:.0f} MB to {size():.0f} MB"
+        def some(moves: int, fits: int) -> None:
+            for i in range(moves):
+                window.do(do="set", values={"valve.C_A": 0.6 + 0.0002 * (i % 1000)})
+                window.forget()
+            for _ in range(fits):
+                window.work(do="fit")
+
+        some(100, 2)
+        before = size()
+        some(1000, 20)
+        assert size() - before < 30, f"from {before:.0f} MB to {size():.0f} MB"
 
 
 def diagnosed(session: Session, kind: str = "ambiguous") -> None:
