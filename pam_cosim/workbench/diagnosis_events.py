@@ -94,7 +94,7 @@ def _judged(judged: Judged, domain: Domain, **more: object) -> Json:
         kind_name=kind_name(verdict.kind),
         probability=probability_sentence(verdict),
         probabilities=[row._asdict() for row in probability_rows(verdict)],
-        table=[row._asdict() for row in family_cells(verdict)],
+        table=[row._asdict() | {"families": words(row.families)} for row in family_cells(verdict)],
         small=small_effects(verdict),
         meaning=meaning(verdict, domain),
         families=[words(f) for f in verdict.families],

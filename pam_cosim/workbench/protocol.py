@@ -10,8 +10,9 @@ study: state ("open", or "drop" before there is a data set), title, folder; wher
     name), with_effects, file (that the model was written to), runs, signals, parameters (free), held (all others, with
     source), effects, families, notes, benches, methods (of a fit).
 steps: steps, a line ``{"text"}`` each; saved: whether the study was saved as it is.
-scores: version, scores (levels by role and signal), runs (rms by run and signal), ladder (rungs; the last is the
-    standing model), values (of parameters), warnings (of the model, each with its runs).
+scores: version, scores (levels by role and signal), runs (rms by run and signal), failed (run and text of
+    each that cannot be simulated), ladder (rungs; the last is the standing model), values (of parameters), warnings (of
+    the model, each with its runs).
 where: version, rules that hold most of the error: signal, rule, error_share, time_share, ranges (of time, by run).
 starts: version, runs: run, mode (of ``modes``, or "periodic", "by hand"), text, warning (the model cannot begin there),
     modes, values.

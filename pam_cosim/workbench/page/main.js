@@ -140,7 +140,7 @@ const hear = {
   no_diagnosis() {
     verdict = null;
     parts.diagnosis.forget();
-    parts.ladder.found(null);
+    legend();
     parts.balances.empty();
     lock();
   },
@@ -149,7 +149,7 @@ const hear = {
   verdict(event) {
     verdict = event;
     parts.diagnosis.show(event);
-    parts.ladder.found(event.found);
+    legend();
     lock();
   },
   checked(event) {
@@ -232,7 +232,8 @@ function lock() {
 
 function legend() {
   const { reference: before, found } = parts.curves.frames;
-  const entry = (name, words) => make("span", { class: `key ${name}` }, words);
+  const entry = (name, words) => make("span", { class: `key ${name}`, title: words }, words);
+  parts.ladder.found(found && verdict ? verdict.found : null);
   byId("legend").replaceChildren(
     entry("measured", "measured"),
     entry("model", "model"),
