@@ -174,7 +174,10 @@ def test_a_current_of_a_transmitter_is_no_valve_s_and_wants_a_scale(tmp_path: Pa
 def test_names_that_leave_a_doubt_go_by_their_unit(tmp_path: Path, heading: str) -> None:
     rows: list[list[object]] = [[0.01 * k, *row, row[2]] for k, row in enumerate(steps())]
     heads = ",".join(["t [s]", "p_set [bar]", "p [bar]", "x [mm]", heading])
-    pam.new(tmp_path / "rig", [write(tmp_path / "a.csv", heads, rows)])
+    made = pam.new(tmp_path / "rig", [write(tmp_path / "a.csv", heads, rows)])
+    doubtful = heading.partition(" ")[0]
+    assert {g.what: g.taken_as for g in made.guesses}[doubtful] == "not read"
+    assert {*made.data.runs[0].measurements} == {"p", "x"}
 
 
 @pytest.mark.parametrize("name", ["Pset_psi", "pSet_psi", "Psoll [psi]", "Pref (psi)"])
