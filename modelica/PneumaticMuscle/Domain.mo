@@ -16,6 +16,9 @@ record Domain "How results are told in this field: its balances, its phases, and
   constant String planes[:, 2] = {{"x", "p_gauge"}, {"T_excess", "p_gauge"}, {"p_rate", "p_gauge"}}
     "Pairs of variables that a missing term is drawn over; the first that a term has both of counts";
   constant String tested = "pressures, loads and speeds" "What a tested range is a range of";
+  constant String ranges[:, 3] = {{"Pa", "-9e4", "2e7"}, {"A", "-20", "20"}, {"V", "-100", "100"}, {"m", "-3", "3"},
+    {"K", "200", "600"}, {"N", "-5e4", "5e4"}, {"s", "0.1", "10000"}}
+    "Unit, least and largest number of it that a rig usually has, gauge pressures; of s, the duration of a run";
   constant String instruments[:, 2] = {
     {"pressure_offset", "the reading of the pressure is off by an amount that follows from the pressure alone"},
     {"pressure_sensor_lag", "the reading of the pressure comes late"},

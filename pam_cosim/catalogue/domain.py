@@ -123,6 +123,7 @@ _ROWS = {
     "planes": 2,
     "instruments": 2,
     "confused": 3,
+    "ranges": 3,
     "phases": 4,
     "kinds": 4,
     "roles": 3,

@@ -51,7 +51,8 @@ class Comparison(Printed, Tabular):
     def doubts(self) -> tuple[Doubt, ...]:
         """What a person should look at before an effect is said to be missing."""
         fitted = set(self.data.fit) <= set(self.parameters)
-        return doubts(self.runs, self.data.signals, self.units, fitted, self.convention)
+        ranges = self.data.domain.ranges
+        return doubts(self.runs, self.data.signals, self.units, fitted, self.convention, ranges)
 
     def chi2_reduced(self, role: str = "all") -> float:
         """Mean square error in noise standard deviations over the fitted signals of the runs with ``role``."""

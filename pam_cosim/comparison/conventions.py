@@ -39,7 +39,7 @@ _LEAST_VARIANCE = 1e-9  # of the noise: residuals of computed numbers
 _WORDS = {"previous": "held", "linear": "linear"}
 _UNITS = {
     "Pa": ("kPa", "bar", "psi", "MPa", "mbar", "Pa", "hPa", "atm", "mmHg"),
-    "m": ("mm", "cm", "m", "inch"),
+    "m": ("mm", "cm", "m", "inch", "um"),
     "N": ("N", "kN", "kgf", "lbf", "mN"),
     "A": ("mA", "A"),
     "rad": ("rad", "deg"),
@@ -49,6 +49,9 @@ _ZEROS = {
     "Pa": (STANDARD_ATMOSPHERE, "absolute and gauge pressure mixed up"),
     "K": (273.15, "degrees Celsius and kelvin mixed up"),
 }
+
+_APART = 20  # samples, over which a change is more than noise
+_AGAINST, _WITH = -0.3, 0.5  # correlations of changes: no signal moves as the model does; one does
 
 Evaluate = Callable[[DataSet], Sequence[RunComparison]]
 """Simulates the runs of a data set."""
@@ -132,6 +135,21 @@ def _explains_little(runs: Sequence[RunComparison], signals: Mapping[str, Signal
         if read and _rms(np.concatenate(error)) > _LARGE_ERROR * _rms(np.concatenate(moves)):
             return True
     return False
+
+
+def _together(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> float:
+    """The largest correlation of the changes of a signal, over some samples, with those in the model, from -1 to 1."""
+    largest = -1.0
+    for name in signals:
+        products = np.zeros(3)
+        for r in (r for r in runs if r.run.sample_count(name)):
+            both = np.array([r.run.measurements[name], r.model[name]])
+            both = both[:, np.isfinite(both[0])]
+            measured, modelled = both[:, _APART:] - both[:, :-_APART]
+            products += measured @ modelled, measured @ measured, modelled @ modelled
+        if products[1:].all():
+            largest = max(largest, float(products[0] / math.sqrt(products[1] * products[2])))
+    return largest
 
 
 def _rms(values: Array) -> float:
@@ -320,7 +338,7 @@ def _of_inputs(
     evaluate: Evaluate,
 ) -> Convention | None:
     """Of inputs that are swapped, absolute, of another sign or ten times as large, the one that explains an error."""
-    before = _chi2(runs, signals)
+    before, together = _chi2(runs, signals), _together(runs, signals)
     found: list[Convention] = []
     for name, words, change in _changes(tried.runs[0], units):
         try:
@@ -328,8 +346,17 @@ def _of_inputs(
         except SimulationFailure:
             continue
         after = _chi2(changed, signals)
-        if after < _REMAINING_ERROR**2 * before and not _explains_little(changed, signals):
-            text = f"{words}: chi-square {after:.3g} against {before:.3g}; put it right under [columns]"
+        explains = after < _REMAINING_ERROR**2 * before and not _explains_little(changed, signals)
+        # Whatever the size of a valve that nobody calibrated: where it fills, the other would empty.
+        moved = _together(changed, signals) if name in ("swapped", "sign") else -1.0
+        figures = f"chi-square {after:.3g} against {before:.3g}"
+        if not explains and together < _AGAINST and moved > _WITH:
+            explains = True
+            figures = (
+                f"changes go with it (correlation {moved:.2f}), and not against it ({together:.2f})"
+            )
+        if explains:
+            text = f"{words}: {figures}; put it right under [columns]"
             found.append(Convention(name, text, _changed(data, change), after, before))
     return min(found, key=lambda one: one.chi2, default=None)
 

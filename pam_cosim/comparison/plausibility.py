@@ -45,10 +45,11 @@ class Doubt:
     Attributes:
         kind: "warning": the model itself warns; "undriven": an input has the model's default; "convention": what was
             recorded fits much better if it is meant otherwise; "copy": two runs have the same samples; "marker": a
-            value that is no reading, as for missing samples; "still": a signal never moves, where the model does;
-            "stuck": for a part of a run; "too_quiet": the samples differ by less than their noise; "impossible": no
-            such reading exists; "far_off": the model explains little of it; "one_sided": the measurement never passes
-            zero where the model does; "contradiction": runs differ the other way than in the model.
+            value that is no reading, as for missing samples; "unusual": outside what is usual in the field; "still": a
+            signal never moves, where the model does; "stuck": for a part of a run; "too_quiet": the samples differ by
+            less than their noise; "impossible": no such reading exists; "far_off": the model explains little of it;
+            "one_sided": the measurement never passes zero where the model does; "contradiction": runs differ the other
+            way than in the model.
         signal: which it is seen in; "": none.
         text: a sentence.
     """
@@ -64,6 +65,7 @@ def doubts(
     units: Mapping[str, str],
     fitted: bool = True,
     convention: str = "",
+    ranges: Sequence[tuple[str, str, str]] = (),
 ) -> tuple[Doubt, ...]:
     """What a person should look at before effects are added.
 
@@ -73,6 +75,8 @@ def doubts(
         units: SI units of the parameters and inputs of the runs, by name.
         fitted: whether free parameters have had their chance; if not, a large error is doubted only where a simple
             mistake explains it.
+        convention: what fits much better, in words.
+        ranges: what is usual, as ``Domain`` has it.
     """
     found_doubts: list[Doubt] = []
     for name, signal in signals.items():
@@ -95,6 +99,9 @@ def doubts(
         *_undriven(runs),
         *meant,
         *_copies(runs),
+        *_unusual(
+            runs, {**units, **{n: s.unit for n, s in signals.items()}, "duration": "s"}, ranges
+        ),
         *_markers_of_inputs(runs, units),
         *found_doubts,
     )
@@ -131,6 +138,32 @@ def _copies(runs: Sequence[RunComparison]) -> Iterator[Doubt]:
                     "is one a copy of the other?",
                 )
                 break
+
+
+def _unusual(
+    runs: Sequence[RunComparison], units: Mapping[str, str], ranges: Sequence[tuple[str, str, str]]
+) -> Iterator[Doubt]:
+    """Inputs, signals and durations that leave in every run what is usual in the field."""
+    limits = {unit: (float(low), float(high)) for unit, low, high in ranges}
+    farthest: dict[str, list[float]] = {}
+    for run in (r.run for r in runs if not r.run.is_static):
+        duration = np.array([np.ptp(run.time)])
+        for name, values in {"duration": duration, **run.inputs, **run.measurements}.items():
+            there = values[np.isfinite(values)]
+            if len(there) and units.get(name) in limits:
+                low, high = limits[units[name]]
+                far = there[np.argmax(np.maximum(low - there, there - high))]
+                farthest.setdefault(name, []).append(float(far))
+    for name, numbers in farthest.items():
+        low, high = limits[units[name]]
+        if not any(low <= number <= high for number in numbers):
+            number, least, most = (format_quantity(v, units[name]) for v in (numbers[0], low, high))
+            yield Doubt(
+                "unusual",
+                name if name != "duration" else "",
+                f"{name}: {number} in {runs[0].run.name}, and outside {least} to {most} in every run, which is usual: "
+                "is it the unit, the zero, or the column?",
+            )
 
 
 def _samples(runs: Sequence[RunComparison], name: str) -> tuple[Array, Array]:

@@ -23,6 +23,8 @@ class Domain:
         axes: variables that a missing term is drawn against, the telling ones first.
         planes: pairs of variables that a missing term is drawn over; the first that a term has both of counts.
         tested: what a tested range is a range of.
+        ranges: rows of a unit, the least and the largest number of it that a rig of the field usually has; of "s", the
+            duration of a run.
         instruments: rows of a family and a sentence: the family is a fault of an instrument, and what it says of which.
     """
 
@@ -33,6 +35,7 @@ class Domain:
     axes: tuple[str, ...] = ()
     planes: tuple[tuple[str, str], ...] = ()
     tested: str = "inputs and loads"
+    ranges: tuple[tuple[str, str, str], ...] = ()
     instruments: tuple[tuple[str, str], ...] = ()
 
     def faults(self, families: Sequence[str]) -> dict[str, str]:

@@ -31,4 +31,6 @@ def test_a_table_that_cannot_be_made_is_refused(columns: str, words: str) -> Non
 
 
 def test_values_of_all_runs_count() -> None:
-    check_conditions(RUNS, "load.m", "tank.V", {"tank.V": 1.0})
+    with pytest.raises(InputError, match="no parameter 'tank.V'"):
+        check_conditions(RUNS, "load.m", "tank.V", {})
+    assert check_conditions(RUNS, "load.m", "tank.V", {"tank.V": 1.0}) is None  # type: ignore[func-returns-value]

@@ -108,3 +108,18 @@ def test_inputs_that_count_otherwise(change: Callable[[Run], Run], name: str, wo
     told = found(read_as(recorded("linear"), change))
     assert told is not None and (told.name, words in told.text) == (name, True)
     assert told.chi2 == pytest.approx(1.0, rel=0.2)
+
+
+def test_a_model_of_another_size_shows_which_inputs_are_exchanged() -> None:
+    """Nobody calibrated the valves, so that the model explains little of the readings either way."""
+
+    def weak(data: DataSet) -> Sequence[RunComparison]:
+        return [RunComparison(run, {"p": rig(run, gain=5e4)}) for run in data.runs]
+
+    assert likely_convention(recorded("linear"), UNITS, weak) is None
+    swapped = read_as(
+        recorded("linear"),
+        lambda run: replace(run, inputs={**run.inputs, "u": run.inputs["v"], "v": run.inputs["u"]}),
+    )
+    told = likely_convention(swapped, UNITS, weak)
+    assert told is not None and told.name == "swapped" and "if u and v are exchanged" in told.text

@@ -179,3 +179,29 @@ def test_runs_that_differ_in_more_than_one_thing_are_not_compared() -> None:
     light, heavy = pair(-1.5e4)
     other = replace(heavy, run=replace(heavy.run, parameters={"load.m": 5.0, "p_supply": 1.0}))
     assert not [d for d in asked(light, other) if d.kind == "contradiction"]
+
+
+@pytest.mark.parametrize(
+    ("lowest", "current", "duration", "words"),
+    [
+        (0.0, 1.0, 10.0, ""),
+        (0.0, 250.0, 10.0, "u: 250 A in run-01, and outside -20 A to 20 A in every run"),
+        (0.0, 1.0, 12000.0, "duration: 1.2e+04 s"),
+        (-100e3, 1.0, 10.0, "p: -100 kPa"),
+    ],
+)
+def test_what_is_not_usual_in_the_field_is_named(
+    lowest: float, current: float, duration: float, words: str
+) -> None:
+    """Only where it is so in every run."""
+    pressure = PRESSURE - PRESSURE.min() + lowest
+    usual = compared(pressure, pressure)
+    inputs = {"u": current * usual.run.inputs["u"]}
+    odd = replace(usual, run=replace(usual.run, inputs=inputs, time=duration / 10.0 * TIME))
+    ranges = (("Pa", "-9e4", "2e7"), ("A", "-20", "20"), ("s", "0.1", "1e4"))
+    signals, units = {"p": Signal("p", "Pa", SIGMA)}, {"u": "A"}
+    texts = [d.text for d in doubts([odd], signals, units, ranges=ranges) if d.kind == "unusual"]
+    assert len(texts) == bool(words) and all(text.startswith(words) for text in texts)
+    calm = compared(noisy(PRESSURE), PRESSURE, name="run-02")
+    both = doubts([odd, calm], signals, units, ranges=ranges)
+    assert not [d for d in both if d.kind == "unusual"]
