@@ -213,8 +213,6 @@ class SearchCriteria:
     """models | fitted before the next are chosen"""
     leading_families: int = 3
     """families | that lead: further effects are looked at beside their best models, with all of their members"""
-    likest_families: int = 2
-    """families | most similar in the samples to an effect of the answer, tried in its place"""
     rounds: int = 8
     """rounds | of fits of models with so many effects, at most"""
     starts: int = 12

@@ -17,7 +17,6 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.events import Remark
 from pam_cosim.diagnosis.judgement.evidence import may_have_structure
-from pam_cosim.diagnosis.search.imitation import likest_members
 from pam_cosim.diagnosis.search.predicted_evidence import PredictedEvidence
 from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.diagnosis.search.ranking import Ranking
@@ -69,7 +68,6 @@ class _Models:
         self.predicted = PredictedEvidence(self.ranking)
         self.untried: list[tuple[str, ...]] = []
         self.probes: list[EffectProbe] = []
-        self.base_as_probed = base.linear
 
     @property
     def search(self) -> Search:
@@ -205,7 +203,7 @@ class _Models:
     def refine(self) -> None:
         """Small moves from the leading model, until none of them pays.
 
-        An effect is exchanged for another of its family or one that does nearly the same, left out, or added. What is
+        An effect is exchanged for another of its family, left out, or added. What is
         predicted of a set comes from slopes; an effect may have been chosen beside others that need it no more, or that
         need another one, once they are fitted together. Of many effects a fit takes long: fewer moves have to do.
         """
@@ -228,7 +226,6 @@ class _Models:
             if not self._leads(best):
                 continue
             if few:
-                self._try_imitations(self.fitted[best.effects])
                 self.improve(len(best.effects))
             if self._leads(best) and self.ranking.has_structure(self.fitted[best.effects]):
                 self._add_one(self.fitted[best.effects])
@@ -345,46 +342,6 @@ class _Models:
         proposed = [p.prediction for p in self.predicted.proposals(count)]
         self._try([self.predicted.fit_request(e) for e in proposed])
         self._finish_best()
-
-    def _try_imitations(self, best: Candidate) -> None:
-        """A model with each of its effects exchanged for what does the likest to the samples.
-
-        For one member of each family that is like it; where that leaves little of what the effect explains, for all.
-        """
-        assert self.base_as_probed is not None
-        others = {*self.search.family.values()} - self.search.families_of(best.effects)
-        likest = likest_members(best.effects, self.probes, self.base_as_probed, others)
-        first = {
-            (*_without(best.effects, name), e): name
-            for name, members in likest.items()
-            for e in members[: CRITERIA.search.likest_families]
-        }
-        self._try([FitRequest(effects, best.fit.values_and_starts) for effects in first])
-        # by itself an effect is worth a look from several starts
-        self._finish_within_effort(
-            [c for n in first if len(n) == 1 and (c := self.fitted.get(n)) and c.brief]
-        )
-        near = [effects for effects, name in first.items() if self._is_near(effects, name, best)]
-        self._try(
-            [
-                FitRequest((*effects[:-1], e), best.fit.values_and_starts)
-                for effects in near
-                for e in self._members(self.search.family[effects[-1]])
-                if e not in self.search.general
-            ]
-        )
-
-    def _is_near(self, effects: tuple[str, ...], name: str, best: Candidate) -> bool:
-        """Whether a model leaves little of what an effect of the best model explains beside the others."""
-        left = _without(best.effects, name)
-        by_set = {frozenset(names): c for names, c in self.fitted.items()}
-        other, without = by_set.get(frozenset(effects)), by_set.get(frozenset(left))
-        if other is None or (left and without is None):
-            return False
-        fit = without.fit if without is not None else self.base
-        explained = fit.chi2_minimised - best.fit.chi2_minimised
-        more = other.fit.chi2_minimised - best.fit.chi2_minimised
-        return more < CRITERIA.search.little * explained
 
     def _other_forms(self, effects: Sequence[str], name: str) -> dict[str, tuple[str, ...]]:
         """By member of its family, the effects with that member, the last, in the place of one of them."""
