@@ -22,6 +22,7 @@ from pam_cosim.starts.start_values import (
     StartValues,
     eliminate,
     eliminate_to_first_order,
+    settings_of,
 )
 
 _STILL = 1e-9  # of its size, by which a state that does not move moves by rounding
@@ -95,7 +96,7 @@ class EliminatedStarts:
     def of_run(self, i: int) -> dict[str, float]:
         """Where a run begins, by "state@run" [SI]; empty where its start is not estimated."""
         named = self.by_run[i].named() if i in self.by_run else {}
-        return {f"{n}@{self._runs[i].name}": v for n, v in named.items()}
+        return settings_of(self._runs[i], named)
 
     def place(self, values: Mapping[str, float]) -> dict[int, StartValues]:
         """The start values, about where the first samples put them with the first parameters [SI]."""
@@ -161,11 +162,10 @@ class EliminatedStarts:
         initial = {n: float(run_trajectory[n][0]) for n in states}
         begin = initial | given
         if given and not about_given:
-            named = [{f"{n}@{run.name}": v for n, v in one.items()} for one in (initial, begin)]
-            if self._squares_from(i, {**values, **named[0]}) < self._squares_from(
-                i, {**values, **named[1]}
-            ):
-                begin = initial
+            begin = min(
+                (begin, initial),
+                key=lambda states: self._squares_from(i, {**values, **settings_of(run, states)}),
+            )
         return RestTrajectory(initial, {n: _range(run_trajectory[n]) for n in states}, begin)
 
     def set_out(self, z: Array, values: Mapping[str, float]) -> None:
@@ -280,7 +280,7 @@ class EliminatedStarts:
                 continue
             run = self._runs[i]
             for count in horizons(run, measured_signals(run, self._data), len(named)):
-                begin = {f"{name}@{run.name}": value for name, value in named.items()}
+                begin = settings_of(run, named)
                 named = named | of_part(first_rows(run, count), {**values, **begin})
             values_of_run.begin = values_of_run.clipped(named)
         self._forget(z)

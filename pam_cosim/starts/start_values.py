@@ -65,8 +65,7 @@ class StartValues:
 
     def settings(self) -> dict[str, float]:
         """The present values by name, each with that of the run."""
-        values = zip(self.names, self.values.tolist(), strict=True)
-        return {f"{n}@{self.run.name}": v for n, v in values}
+        return settings_of(self.run, dict(zip(self.names, self.values.tolist(), strict=True)))
 
     def clipped(self, named: Mapping[str, float]) -> Array:
         """(k,) values by name in their order, within the bounds of the model."""
@@ -110,6 +109,11 @@ class StartValues:
     def determined(self) -> NDArray[np.bool_]:
         """(k,) which of them the data tell, and not what is known beforehand alone."""
         return np.asarray((self.deviations() / self.sd) ** 2 < CRITERIA.starts.informed)
+
+
+def settings_of(run: Run, states: Mapping[str, float]) -> dict[str, float]:
+    """Start values of a run by state, as parameters by "state@run"."""
+    return {f"{name}@{run.name}": value for name, value in states.items()}
 
 
 def eliminate(of: StartValues, simulate: LinearisedRun) -> tuple[Any, Array]:

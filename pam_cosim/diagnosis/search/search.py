@@ -217,11 +217,13 @@ class Search:
 
     def fit_completely(self, candidates: Sequence[Candidate], base: Fit) -> list[Candidate]:
         """Models that were fitted briefly, to the end: from where they stand, and from where they began."""
-        begins = [{**base.values, **c.fit.start_values} for c in candidates]
         trials = self._trials(
-            [FitRequest(c.effects, b) for c, b in zip(candidates, begins, strict=True)]
+            [
+                FitRequest(c.effects, {**base.values, **c.fit.start_values}, c.fit.values)
+                for c in candidates
+            ]
         )
-        values, numbers = {c.effects: c.fit.values for c in candidates}, CRITERIA.search
+        numbers = CRITERIA.search
         options = {
             "rows": numbers.rows,
             "precision": numbers.precision,
@@ -229,10 +231,10 @@ class Search:
             "second_look": False,
             "holdout_uncertainty": True,
         }
-        own = [replace(t.fitted_with(**options), further_start=values[t.effects]) for t in trials]
+        several = options | {"screened_starts": 0}
         return self._run(
             "to the end",
-            [t if len(t.effects) == 1 else t.fitted_with(screened_starts=0) for t in own],
+            [t.fitted_with(**(options if len(t.effects) == 1 else several)) for t in trials],
         )
 
     def fit_final(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate | None:
@@ -272,30 +274,32 @@ class Search:
 
     def reduced(self, c: Candidate, most: int) -> FitRequest:
         """A fitted model with the effects that the data need, so many at most, and its values, to first order."""
-        own, absent = self._own_parameters(c.effects)
+        start = c.fit.values_and_starts
         if c.fit.linear is None:
-            return FitRequest(c.effects, c.fit.values_and_starts)
-        misfit = max(c.fit.residuals["fit"].chi2_reduced, 1.0)
+            return FitRequest(c.effects, start)
+        own, absent, misfit = self._absence(c)
         needed = needed_effects(c.fit.linear, own, absent, misfit, self.price, most)
         gone = left_out(needed, own, c.fit.values, absent)
-        return FitRequest(needed, c.fit.values_and_starts, fitted_with(c.fit.linear, gone)[0])
+        return FitRequest(needed, start, fitted_with(c.fit.linear, gone)[0])
 
     def by_need(self, c: Candidate) -> tuple[str, ...]:
         """The effects of a fitted model, those that are left out last first, to first order."""
         if c.fit.linear is None:
             return c.effects
-        misfit = max(c.fit.residuals["fit"].chi2_reduced, 1.0)
-        own, absent = self._own_parameters(c.effects)
-        gone = [e for e, _ in elimination(c.fit.linear, own, absent, misfit, self.price)]
+        gone = [e for e, _ in elimination(c.fit.linear, *self._absence(c), self.price)]
         return (*(e for e in c.effects if e not in gone), *reversed(gone))
 
-    def _own_parameters(
-        self, effects: Sequence[str]
-    ) -> tuple[dict[str, tuple[str, ...]], dict[str, float]]:
-        """The parameters of each effect of a model by full name, and their values where the effects vanish [SI]."""
-        composition = compose_on(self.tree, self.structure, effects)
-        own = {e: composition.parameters[e] for e in effects} if composition else {}
-        return own, values_of_absence([self.effect(e) for e in own], own)
+    def _absence(self, c: Candidate) -> tuple[dict[str, tuple[str, ...]], dict[str, float], float]:
+        """What leaving effects of a fitted model out depends on.
+
+        The parameters of each effect by full name, their values where the effects vanish [SI], and the misfit: the
+        mean square of what the model leaves, at least one [noise variances].
+        """
+        composition = compose_on(self.tree, self.structure, c.effects)
+        assert composition is not None  # it was fitted
+        own = {e: composition.parameters[e] for e in c.effects}
+        misfit = max(c.fit.residuals["fit"].chi2_reduced, 1.0)
+        return own, values_of_absence([*map(self.effect, c.effects)], own), misfit
 
     def simpler_laws(self, c: Candidate) -> list[tuple[str, ...]]:
         """A fitted model with the law that one of its effects turns into where a parameter ended at a bound."""
