@@ -72,11 +72,16 @@ def _drawn(figure: Callable[[], Figure], path: Path | str, width: str | float | 
     file = Path(path)
     check_ending(file, "pictures are drawn as PNG, SVG or PDF", PICTURE)
     check_writable(file)
-    with drawing(_inches(width)):
+    with drawing(inches_of(width)):
         write_bytes(file, image(figure(), file.suffix.lower().removeprefix(".")))
 
 
-def _inches(width: str | float | None) -> float | None:
+def inches_of(width: str | float | None) -> float | None:
+    """A width of a picture, with a unit or in metres [in]; None: that of a page.
+
+    Raises:
+        InputError: it is no length, or nothing can be drawn so wide.
+    """
     if width is None:
         return None
     try:

@@ -38,3 +38,10 @@ def test_pictures_and_profiles(command: Command, data: Path, place: Path) -> Non
     assert (
         set(written["profiles"]) == {"orifice.C_d", "tank.n"} and len(written["correlation"]) == 2
     )
+
+
+def test_a_width_is_refused_before_the_fit(command: Command, data: Path, place: Path) -> None:
+    before = {*place.iterdir()}
+    done = command("fit", data, "-o", "p.json", "--plot", "fit.pdf", "--width", "88 kg")
+    assert done.status == 2 and "width of a picture" in done.err
+    assert not done.out and {*place.iterdir()} == before

@@ -131,10 +131,23 @@ TimeoutOption = Annotated[
         min=0.0,
     ),
 ]
+
+
+def _drawable(width: str | None) -> str | None:
+    """A width, checked before the work whose picture is to have it."""
+    if width is not None:
+        from pam_cosim.reporting.plots import inches_of  # half a second for matplotlib
+
+        inches_of(width)
+    return width
+
+
 WidthOption = Annotated[
     str | None,
     typer.Option(
-        "--width", help='Of the picture: "88mm" is a column of a journal; default: a page.'
+        "--width",
+        callback=_drawable,
+        help='Of the picture: "88mm" is a column of a journal; default: a page.',
     ),
 ]
 KeepOption = Annotated[
