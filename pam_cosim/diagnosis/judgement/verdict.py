@@ -315,8 +315,11 @@ def _far(fit: Fit) -> tuple[SignalError, ...]:
 
 
 def explained(before: Fit, after: Fit) -> float:
-    """Share of the squared error beyond the noise that is gone, on holdout runs where there are any; at most 1."""
+    """Share of the squared error beyond the noise that is gone, on holdout runs where there are any; at most 1.
+
+    But for what the parameters' uncertainty explains of these runs, as in the evidence.
+    """
     role = "holdout" if before.residuals["holdout"].samples else "fit"
-    a, b = before.residuals[role], after.residuals[role]
+    a, b = (fit.residuals_beyond_uncertainty[role] for fit in (before, after))
     excess = a.chi2 - a.samples
     return min((a.chi2 - b.chi2) / excess, 1.0) if excess > 0 else 0.0

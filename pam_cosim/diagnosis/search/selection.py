@@ -229,8 +229,8 @@ class _Models:
                 self.improve(len(best.effects))
             if self._leads(best) and self.ranking.has_structure(self.fitted[best.effects]):
                 self._add_one(self.fitted[best.effects])
-        if best is not None and len(best.effects) > _FEW:
-            self._try(self._requests(best, _each_left_out(best)))
+            if not few and self._leads(best):
+                self._try(self._requests(best, _each_left_out(best)))
 
     def _finish_promising(self, best: Candidate) -> None:
         """Fits to the end what may be better than a model after a few steps; of many effects what is best then."""
@@ -268,7 +268,8 @@ class _Models:
     ) -> list[tuple[str, ...]]:
         """Tries other members of its family in the place of each effect, and the best of all of them together.
 
-        Where the model leaves noise, only members with fewer parameters; beside many effects, only plain ones.
+        Where the model leaves noise, only members with fewer parameters; among many effects, only plain ones. The
+        general member of a family is tried where the law leaves more than noise, if ever so little.
 
         Args:
             best: the model.
@@ -277,15 +278,18 @@ class _Models:
         Returns:
             the sets of effects.
         """
-        cost, structured = self.search.cost, self.ranking.has_structure(best)
-        plain = CRITERIA.search.combined_parameters if len(best.effects) > 2 else max(cost.values())
+        few, cost = len(best.effects) <= _FEW, self.search.cost
+        structured = self.ranking.has_structure(best)
+        plain = max(cost.values()) if few else CRITERIA.search.combined_parameters
+        open_form = any(map(may_have_structure, best.fit.residuals_beyond_uncertainty.values()))
         forms = {
             name: [
                 effects
                 for e, effects in self._other_forms(best.effects, name).items()
-                if e not in self.search.general
-                and cost[e] <= plain
-                and (structured or cost[e] < cost[name])
+                if cost[e] <= plain
+                and (
+                    open_form if e in self.search.general else structured or cost[e] < cost[name]
+                )
             ]
             for name in (best.effects if leading is None else leading)
         }
