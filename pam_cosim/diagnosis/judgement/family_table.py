@@ -29,14 +29,15 @@ class FamilyRow(Plain):
         families: their names.
         probability: that one of them is missing, whatever else is.
         effects: of the answer, or else of the best model that has one of them.
-        share: of the base model's error beyond the noise that they remove, the others fitted again.
+        share: of the base model's error beyond the noise that they remove, the others fitted again; None: no model
+            without them was fitted.
         rms: root of the mean square that they remove, by fitted signal [SI].
     """
 
     families: tuple[str, ...]
     probability: float
     effects: tuple[str, ...] = ()
-    share: float = 0.0
+    share: float | None = None
     rms: dict[str, float] = field(default_factory=dict)
 
 
@@ -66,7 +67,7 @@ def family_table(models: FittedModels, known: Posterior) -> FamilyTable:
         rows.append(_row(models, families, probability, effects, size))
     base, last = models.base.residuals["fit"], models.last.residuals["fit"]
     left = last.excess / base.excess if base.excess > 0 else 0.0
-    rows.sort(key=lambda row: (-row.probability, -row.share, row.families))
+    rows.sort(key=lambda row: (-row.probability, -(row.share or 0.0), row.families))
     return FamilyTable(tuple(rows), tuple(_small(models)), min(left, 1.0))
 
 
@@ -75,8 +76,10 @@ def _row(
     families: tuple[str, ...],
     probability: float,
     effects: tuple[str, ...],
-    size: EffectSize,
+    size: EffectSize | None,
 ) -> FamilyRow:
+    if size is None:
+        return FamilyRow(families, probability, effects)
     scores = models.base.comparison.scores["all"]
     rms = {name: number * scores[name].noise_rmse for name, number in size.rms.items()}
     return FamilyRow(families, probability, effects, size.share, rms)
@@ -99,16 +102,16 @@ def _exchanged(known: Posterior) -> list[tuple[tuple[str, ...], float]]:
     return groups
 
 
-def _size(models: FittedModels, named: Sequence[str], effects: Sequence[str]) -> EffectSize:
-    """What effects of the answer are worth: the answer compared with the best model without them."""
+def _size(models: FittedModels, named: Sequence[str], effects: Sequence[str]) -> EffectSize | None:
+    """What effects of the answer are worth: the answer compared with the best model without them; None: not known."""
     rest = frozenset(named) - frozenset(effects)
     if not effects:
-        return EffectSize({}, 0.0)
+        return None
     without = models.base if not rest else None
     if without is None:
         fits = [c.fit for c in models.tried if frozenset(c.effects) == rest]
         without = min(fits, key=lambda fit: fit.chi2_minimised, default=None)
-    return size_of_effect(models.base, without, models.last) if without else EffectSize({}, 0.0)
+    return size_of_effect(models.base, without, models.last) if without else None
 
 
 def _small(models: FittedModels) -> Iterable[FamilyRow]:

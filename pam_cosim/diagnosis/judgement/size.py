@@ -35,7 +35,7 @@ class EffectSize:
 
 
 def size_of_effect(base: Fit, without: Fit, with_it: Fit) -> EffectSize:
-    """The size of the effect by which two models differ, of all runs.
+    """The size of the effect by which two models differ, of all runs; the share as the evidence counts these.
 
     Args:
         base: the model without effects. without: the model without this effect. with_it: the model with it.
@@ -45,6 +45,9 @@ def size_of_effect(base: Fit, without: Fit, with_it: Fit) -> EffectSize:
     fewer = {n: before[n].chi2_reduced - after[n].chi2_reduced for n in signals if n in after}
     noise = max(with_it.residuals["fit"].noise_floor, 1.0)
     rms = {n: sqrt(max(square, 0.0) / noise) for n, square in fewer.items()}
-    squares = [sum(s.chi2 for s in fit.residuals.values()) for fit in (base, without, with_it)]
+    squares = [
+        sum(s.chi2 for s in fit.residuals_beyond_uncertainty.values())
+        for fit in (base, without, with_it)
+    ]
     excess = squares[0] - squares[2]
     return EffectSize(rms, (squares[1] - squares[2]) / excess if excess > 0 else 0.0)

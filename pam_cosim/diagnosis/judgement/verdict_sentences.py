@@ -134,8 +134,8 @@ def table_lines(verdict: Verdict) -> list[str]:
 
 
 def _worth(verdict: Verdict, row: FamilyRow) -> str:
-    """What families are worth in the units of the signals, and of the error; "" where they are not in the answer."""
-    if not row.effects:
+    """What families are worth in the units of the signals, and of the error; "" where that is not known."""
+    if row.share is None:
         return ""
     parts = [
         f"{format_quantity(rms, verdict.units[name])} of {name}"
