@@ -1,6 +1,7 @@
 /* Runs a co-simulation instance of FMI 2.0 or 3.0 over given communication points by the standard functions, so
  * that no interpreter stands between two steps. Works with any FMU.
  */
+#include <float.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -63,6 +64,7 @@ typedef struct {
 /* One run. Mirrored by pam_cosim/simulation/driver.py. */
 typedef struct {
     driver_function reset, setup, enter, leave, set_values, get_values, set_slopes, do_step, terminate, settle;
+    driver_function real_status, boolean_status; /* of version 2, or null */
     void *instance;
     int32_t version; /* of FMI: 2 or 3; the latter has no function for setup */
     int32_t must_reset, tolerance_defined;
@@ -96,9 +98,10 @@ typedef struct {
     int32_t stage; /* number of the function that failed, in the order above; -1: none */
     int32_t status;
     const driver_group *group; /* that was set or read last */
+    int32_t ended;             /* whether the instance has ended the simulation, at time_reached */
 } driver_run;
 
-enum { RESET, SETUP, ENTER, LEAVE, SET_VALUES, GET_VALUES, SET_SLOPES, DO_STEP, TERMINATE, SETTLE, TOO_SLOW };
+enum { RESET, SETUP, ENTER, LEAVE, SET_VALUES, GET_VALUES, SET_SLOPES, DO_STEP, TERMINATE, SETTLE, REAL_STATUS, BOOLEAN_STATUS, TOO_SLOW };
 
 /* The status codes of both versions agree, and so do the arguments of functions without any but the instance. */
 enum { OK = 0, WARNING = 1, DISCARD = 2 };
@@ -122,10 +125,11 @@ static void begin_call(driver_run *r, int32_t number) {
 
 static int call(const driver_run *r, driver_function f) { return (int)((fmi2ResetTYPE *)f)(r->instance); }
 
-/* Types of values; those of all others are doubles already. */
-#define VALUE_TYPES(X)                                                                                               \
-    X(1, float) X(2, int8_t) X(3, uint8_t) X(4, int16_t) X(5, uint16_t) X(6, int32_t) X(7, uint32_t) X(8, int64_t)  \
-    X(9, uint64_t)
+/* Types of values, and the greatest, which a double may round up; those of all others are doubles already. */
+#define VALUE_TYPES(X)                                                                                              \
+    X(1, float, FLT_MAX) X(2, int8_t, INT8_MAX) X(3, uint8_t, UINT8_MAX) X(4, int16_t, INT16_MAX)                   \
+    X(5, uint16_t, UINT16_MAX) X(6, int32_t, INT32_MAX) X(7, uint32_t, UINT32_MAX) X(8, int64_t, INT64_MAX)         \
+    X(9, uint64_t, UINT64_MAX)
 enum { TEXT = 10 };
 
 typedef int set_2(void *instance, const uint32_t *references, size_t n, const void *values);
@@ -136,9 +140,10 @@ typedef int get_3(void *instance, const uint32_t *references, size_t n, void *va
 static const void *typed(const driver_run *r, const driver_group *g, const double *values) {
     if (g->type == TEXT) return r->texts;
     switch (g->type) {
-#define TO_TYPE(number, type)                                                                   \
-    case number:                                                                                \
-        for (size_t i = 0; i < g->n_values; i++) ((type *)r->buffer)[i] = (type)values[i];       \
+#define TO_TYPE(number, type, greatest)                                                              \
+    case number:                                                                                     \
+        for (size_t i = 0; i < g->n_values; i++)                                                     \
+            ((type *)r->buffer)[i] = values[i] < (double)(greatest) ? (type)values[i] : (greatest);  \
         return r->buffer;
         VALUE_TYPES(TO_TYPE)
     }
@@ -147,7 +152,7 @@ static const void *typed(const driver_run *r, const driver_group *g, const doubl
 
 static void untyped(const driver_run *r, const driver_group *g, double *values) {
     switch (g->type) {
-#define FROM_TYPE(number, type)                                                                   \
+#define FROM_TYPE(number, type, greatest)                                                         \
     case number:                                                                                  \
         for (size_t i = 0; i < g->n_values; i++) values[i] = (double)((const type *)r->buffer)[i]; \
         return;
@@ -190,14 +195,29 @@ static int enter(const driver_run *r) {
                                                               r->times[0], fmi3False, 0.0);
 }
 
-/* An instance of FMI 3.0 must not return early here; one that wants to end the simulation is at its end. */
-static int do_step(const driver_run *r, double from, double step) {
-    if (r->version == 2) return (int)((fmi2DoStepTYPE *)r->do_step)(r->instance, from, step, fmi2True);
+/* In FMI 2.0 a step that was discarded may be the end of the simulation. */
+static int do_step_2(driver_run *r, double from, double step) {
+    int status = (int)((fmi2DoStepTYPE *)r->do_step)(r->instance, from, step, fmi2True);
+    if (status != DISCARD || !r->boolean_status || !r->real_status) return status;
+    fmi2Boolean ended = fmi2False;
+    fmi2Real reached = from;
+    ((fmi2GetBooleanStatusTYPE *)r->boolean_status)(r->instance, fmi2Terminated, &ended);
+    ((fmi2GetRealStatusTYPE *)r->real_status)(r->instance, fmi2LastSuccessfulTime, &reached);
+    r->ended = ended != fmi2False;
+    r->time_reached = reached;
+    return r->ended ? OK : status;
+}
+
+/* An instance of FMI 3.0 must not return early here, except to end the simulation. */
+static int do_step(driver_run *r, double from, double step) {
+    if (r->version == 2) return do_step_2(r, from, step);
     fmi3Boolean event = fmi3False, terminate = fmi3False, early = fmi3False;
     fmi3Float64 reached = from;
     int status = (int)((fmi3DoStepTYPE *)r->do_step)(r->instance, from, step, fmi3True, &event, &terminate, &early,
                                                      &reached);
-    return status <= WARNING && (terminate || early) ? DISCARD : status;
+    r->ended = status <= WARNING && terminate;
+    if (r->ended || early) r->time_reached = reached;
+    return status <= WARNING && early && !terminate ? DISCARD : status;
 }
 
 static int set_inputs(driver_run *r, int64_t knot) {
@@ -264,8 +284,9 @@ static void loop(driver_run *r) {
     for (size_t k = 0; k < r->n_points; k++) {
         if (too_slow(r, &begin, k)) return;
         if (k > 0) {
-            double from = r->times[k - 1];
-            CALL(DO_STEP, do_step(r, from, r->times[k] - from));
+            double from = r->times[k - 1], step = r->times[k] - from;
+            CALL(DO_STEP, do_step(r, from, step));
+            if (r->ended && r->time_reached < r->times[k] - 1e-9 * step) return;
             r->time_reached = r->times[k];
             read_outputs(r, r->rows_before[k]);
             if (r->stage >= 0) return;
@@ -275,7 +296,7 @@ static void loop(driver_run *r) {
             if (r->stage >= 0) return;
         }
         read_outputs(r, r->rows_after[k]);
-        if (r->stage >= 0) return;
+        if (r->stage >= 0 || r->ended) return;
         if (r->means && r->means[k] >= 0 && set_inputs(r, r->means[k])) return;
     }
 }
@@ -298,6 +319,7 @@ static void rest_at_each(driver_run *r) {
 EXPORT void pam_driver_run(driver_run *r) {
     r->stage = -1;
     r->status = OK;
+    r->ended = 0;
     r->time_reached = r->times[0];
     if (r->at_rest) {
         rest_at_each(r);
@@ -305,5 +327,5 @@ EXPORT void pam_driver_run(driver_run *r) {
     }
     initialise(r, r->knots[0]);
     if (r->stage < 0) loop(r);
-    if (r->stage < 0) CALL(TERMINATE, call(r, r->terminate));
+    if (r->stage < 0 && !r->ended) CALL(TERMINATE, call(r, r->terminate));
 }

@@ -72,7 +72,7 @@ class Loop(NamedTuple):
         rows, columns = ([i for i, v in enumerate(one) if abs(v) > _PART] for one in vectors)
         raise ModelError(
             f"{when}no equation determines {', '.join(repr(self.names[j]) for j in columns)}: these depend on "
-            f"one another, or contradict: {'; '.join(self.places[i] for i in rows)}"
+            f"one another, or contradict: {'; '.join(dict.fromkeys(self.places[i] for i in rows))}"
         )
 
 

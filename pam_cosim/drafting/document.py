@@ -262,14 +262,15 @@ def _fit(draft: Draft) -> Iterator[str]:
             "", f"free is {what}, which only a fit tells; bounds are the model's or near its values"
         )
     for name, variable in free.items():
-        yield f"{_bounds(name, variable)}   {' '.join(remark(variable.description))}"
+        yield f"{bounds(name, variable)}   {' '.join(remark(variable.description))}"
     if more:
         yield from remark("more that may be left free:")
     for name, variable in more.items():
-        yield f"# {_bounds(name, variable)}   {' '.join(remark(variable.description))}"
+        yield f"# {bounds(name, variable)}   {' '.join(remark(variable.description))}"
 
 
-def _bounds(name: str, variable: Variable) -> str:
+def bounds(name: str, variable: Variable) -> str:
+    """An entry of [fit]."""
     low, high = (_quantity(one or 0.0, variable.unit, 6) for one in (variable.min, variable.max))
     return f"{toml_string(name)} = {{ min = {low}, max = {high} }}"
 

@@ -119,7 +119,7 @@ def draft(
         _simulated(data, made, simulate)
         _put(place, folder)
     told = guesses(made), (*losses(data), *questions(made))
-    return NewDataSet(folder, data, bench.name, *told, next_commands(folder, extra))
+    return NewDataSet(folder, data, bench.name, *told, next_commands(folder, extra, bench.name))
 
 
 def _draft(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from shlex import quote
 
@@ -13,7 +13,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.benches import NO_PRESSURE
 from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn, scaling
-from pam_cosim.drafting.document import Draft
+from pam_cosim.drafting.document import Draft, bounds
 from pam_cosim.drafting.entries import ABSOLUTE_GAUGE, LONGEST, SENSES, ColumnEntry, readings_of
 from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, Meaning, meant
 from pam_cosim.drafting.shapes import begins_still, span
@@ -23,6 +23,8 @@ from pam_cosim.measurement.markers import input_marker_of, marker_of
 from pam_cosim.measurement.pieces import PAUSES
 from pam_cosim.measurement.table import LEFT_OUT
 from pam_cosim.measurement.wrapped_clocks import WRAPPED
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.references import is_fmu
 from pam_cosim.units import format_quantity
 from pam_cosim.units.grammar import ATMOSPHERES
 from pam_cosim.wording import Printed, listed, runs_in_words, shown
@@ -79,12 +81,11 @@ class NewDataSet(Printed):
         return "\n".join([*lines, "next:", *(f"  {one}" for one in self.next_commands)])
 
 
-def next_commands(folder: Path, extra: Sequence[Path]) -> tuple[str, ...]:
-    """Commands, with the files that they need."""
+def next_commands(folder: Path, extra: Sequence[Path], model: str) -> tuple[str, ...]:
+    """Commands, with the files that they need; of an FMU nothing can be diagnosed."""
     more = "".join(f" --file {quote(str(file))}" for file in extra)
-    return tuple(
-        f"pam-cosim {word} {quote(str(folder))}{more}" for word in ("compare", "check", "diagnose")
-    )
+    words = ("compare", "check", *(() if is_fmu(model) else ("diagnose",)))
+    return tuple(f"pam-cosim {word} {quote(str(folder))}{more}" for word in words)
 
 
 # ---- what was recognised ---------------------------------------------------------------------------------------------
@@ -451,5 +452,21 @@ def _free(made: Draft) -> Iterator[str]:
     free = [name for name in made.open.free if not made.is_known(name)]
     if free:
         yield f"free for the fit, since nobody calibrated them: {listed(free)}"
-    else:
+    elif made.open.perhaps:
         yield "nothing is free: see [fit] for what may be, or let diagnose look"
+    else:
+        yield f"nothing is free: {_free_example(made.interface)}"
+
+
+def _free_example(interface: Interface) -> str:
+    """What to write under [fit], by a parameter of the model that a fit can change."""
+    for name, v in interface.parameters.items():
+        if v.kind == "Real" and v.start:
+            low, high = sorted((v.start / 2, 2 * v.start))
+            near = replace(v, min=max(low, _or(v.min, low)), max=min(high, _or(v.max, high)))
+            return f"write under [fit] what a fit may change, such as {bounds(name, near)}"
+    return "the model has no parameter that a fit can change"
+
+
+def _or(limit: float | None, other: float) -> float:
+    return other if limit is None else limit

@@ -62,6 +62,7 @@ _KINDS: dict[str, Kind] = {
     "String": "String",
 }
 _MOST_ELEMENTS = 10_000  # of an array
+_MOST_ROWS = 100_000  # of a run whose interval nobody declares, up to which it is the usual one
 _KEPT = 128  # descriptions: a diagnosis comes back to those of the catalogue's effects
 
 
@@ -401,15 +402,7 @@ def interface_of(description: ModelDescription) -> Interface:
             if first not in known:
                 refused[scalar.name] = f"it is an array of {shape} elements of {scalar.type}"
     experiment = description.defaultExperiment
-    given = {}
-    if experiment is not None:
-        start = float(experiment.startTime or 0.0)
-        values = {
-            "stop_time": float(experiment.stopTime) - start if experiment.stopTime else None,
-            "interval": _float(experiment.stepSize),
-            "tolerance": _float(experiment.tolerance),
-        }
-        given = {key: value for key, value in values.items() if value}
+    given = {} if experiment is None else _experiment(experiment)
     outputs, parameters = groups["output"], groups["parameter"]
     states = _states(description, groups["local"] | groups["output"])
     by = [*parameters, *states]
@@ -427,6 +420,26 @@ def interface_of(description: ModelDescription) -> Interface:
         refused=refused,
         calculated=tuple(calculated),
     )
+
+
+def _experiment(experiment: Any) -> dict[str, float]:
+    """Default times of runs; an interval that is not declared fits the duration."""
+    start, stop = float(experiment.startTime or 0.0), _float(experiment.stopTime)
+    duration = None if stop is None else stop - start
+    interval = _float(experiment.stepSize)
+    if (
+        not interval
+        and duration
+        and not duration / _MOST_ROWS <= Interface.interval <= duration / 10
+    ):
+        interval = duration / 1000
+    values = {
+        "start_time": start,
+        "stop_time": duration,
+        "interval": interval,
+        "tolerance": _float(experiment.tolerance),
+    }
+    return {key: value for key, value in values.items() if value}
 
 
 def _refusal(slot: Slot) -> str:
@@ -490,6 +503,7 @@ def _variable(slot: Slot, pressures: Pressures) -> Variable:
         _numbers(_attribute(scalar, key)) for key in ("min", "max", "nominal")
     )
     items = scalar.declaredType.items if slot.kind == "Enumeration" else None
+    span = integer_span(scalar.type) if slot.kind == "Integer" else None
     return Variable(
         name=slot.name,
         unit=_text(scalar, "unit"),
@@ -503,9 +517,17 @@ def _variable(slot: Slot, pressures: Pressures) -> Variable:
         kind=slot.kind,
         items={printable(item.name): float(item.value) for item in items} if items else None,
         text=start if isinstance(start, str) else "",
+        span=span,
         is_discrete=slot.kind != "Real" or scalar.variability == "discrete",
         pressures=pressures,
     )
+
+
+def integer_span(kind: str) -> tuple[int, int]:
+    """The least and the greatest number of a type of integers, such as "UInt8"; "Integer" has 32 bits."""
+    sign, _, bits = kind.partition("Int")
+    count = 2 ** int(bits if bits.isdecimal() else 32)
+    return (0, count - 1) if sign == "U" else (-(count // 2), count // 2 - 1)
 
 
 def feedthrough(path: Path) -> tuple[dict[str, frozenset[str]], bool]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -45,7 +45,10 @@ def read_recording(file: Path, interface: Interface) -> Recording:
     Raises:
         InputError: see ``read_table`` and ``recording_of``.
     """
-    return recording_of(read_table(file, Layout(words=words_of(interface))), interface)
+    table = read_table(file, Layout(words=words_of(interface)))
+    for name in _unknown(table, interface):
+        raise table.error(interface.unknown(name, "input or output", _headings(interface)), name)
+    return recording_of(table, interface)
 
 
 def recording_of(table: Table, interface: Interface) -> Recording:
@@ -55,9 +58,8 @@ def recording_of(table: Table, interface: Interface) -> Recording:
         InputError: an unknown column, a unit that does not fit, a gap in time or an input, time that goes back,
             fewer than two rows.
     """
-    for name in table.columns:
-        if name != TIME and name not in interface.inputs and name not in interface.outputs:
-            raise table.error(unknown_column(name, interface), name)
+    for name in _unknown(table, interface):
+        raise table.error(unknown_column(name, interface), name)
     table = only_whole_rows(table, [TIME, *interface.inputs])
     time = _time(table)
     inputs, measurements = {}, {}
@@ -122,9 +124,17 @@ def unknown_column(name: str, interface: Interface, time: bool = True) -> str:
     """What to say of a column that the bench does not know; ``time``: one of time is expected."""
     if name in interface.parameters:
         return f"{shown(name)} is a parameter of {interface.model}; set it under [runs.parameters]"
-    headings = dict.fromkeys([*([TIME] if time else []), *interface.inputs, *interface.outputs])
+    headings = _headings(interface, time)
     hint = "state what it is under [columns], or leave it out: [recording] ignore = [...]"
     return f"{interface.unknown(name, 'input or output', headings)}; {hint}"
+
+
+def _unknown(table: Table, interface: Interface) -> Iterator[str]:
+    return (name for name in table.columns if name not in _headings(interface))
+
+
+def _headings(interface: Interface, time: bool = True) -> dict[str, None]:
+    return dict.fromkeys([*([TIME] if time else []), *interface.inputs, *interface.outputs])
 
 
 def words_of(interface: Interface, columns: Mapping[str, str] | None = None) -> Words:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
@@ -46,6 +47,7 @@ class Variable:
         kind: type of the values. All but those of a String are numbers; a Boolean is 0 or 1.
         items: of an Enumeration, the numbers of its names.
         text: of a String, the start value.
+        span: of an Integer, the least and the greatest number of its type; None: not known.
         is_discrete: the value changes at events alone, and is constant between them.
         pressures: of a pressure, whether it is "gauge" or "absolute"; "": nothing says so.
     """
@@ -62,6 +64,7 @@ class Variable:
     kind: Kind = "Real"
     items: Mapping[str, float] | None = field(default=None, hash=False)
     text: str = ""
+    span: tuple[int, int] | None = None
     is_discrete: bool = False
     pressures: Pressures = "gauge"
 
@@ -80,14 +83,16 @@ class Variable:
             return number in (0.0, 1.0)
         if self.items is not None:
             return number in self.items.values()
-        return self.kind == "Real" or number == round(number)
+        low, high = self.span or (-math.inf, math.inf)
+        return self.kind == "Real" or (number == round(number) and low <= number <= float(high))
 
     @property
     def values(self) -> str:
         """What values of this kind are, for messages."""
         if self.items is not None:
             return f"one of {', '.join(self.items)}"
-        names = {"Boolean": "0 or 1 (off, on)", "Integer": "a whole number", "String": "a text"}
+        whole = "a whole number" + (f" from {self.span[0]} to {self.span[1]}" if self.span else "")
+        names = {"Boolean": "0 or 1 (off, on)", "Integer": whole, "String": "a text"}
         return names.get(self.kind, "a number")
 
 
@@ -98,7 +103,8 @@ class Interface(Printed):
     Attributes:
         model: qualified name of the Modelica class, or the FMU's model name.
         inputs, outputs, parameters, locals: variables by name.
-        stop_time: default duration of a simulation [s].
+        start_time: default start of a simulation [s].
+        stop_time: its default duration [s].
         interval: default distance of output points [s].
         tolerance: default relative tolerance of the solver.
         sensitivities: outputs that are derivatives of outputs with respect to parameters; not among ``outputs``.
@@ -121,6 +127,7 @@ class Interface(Printed):
     rates: tuple[str, ...] = ()
     refused: dict[str, str] = field(default_factory=dict)
     calculated: tuple[str, ...] = ()
+    start_time: float = 0.0
 
     def with_pressures(self, pressures: Pressures) -> Interface:
         """The same, where it is stated what the pressures of inputs and outputs are."""

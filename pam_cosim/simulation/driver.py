@@ -44,6 +44,8 @@ FUNCTIONS: dict[int, tuple[str | None, ...]] = {
         "fmi2DoStep",
         "fmi2Terminate",
         "pam_settle",
+        "fmi2GetRealStatus",
+        "fmi2GetBooleanStatus",
     ),
     3: (
         "fmi3Reset",
@@ -56,6 +58,8 @@ FUNCTIONS: dict[int, tuple[str | None, ...]] = {
         "fmi3DoStep",
         "fmi3Terminate",
         "pam_settle",
+        None,
+        None,
     ),
 }
 Settle = Literal["none", "others", "all"]
@@ -110,13 +114,14 @@ class Outcome:
     """What a run left behind.
 
     Attributes:
-        values: (n, outputs), meaningless where the run failed.
+        values: (n, outputs), meaningless where the run failed, and NaN where it did not come.
         time: reached [s].
         failed: name of the FMI function that failed; None: none did.
+        ended: the FMU has ended the simulation at ``time``.
     """
 
-    def __init__(self, values: Array, time: float, failed: str | None) -> None:
-        self.values, self.time, self.failed = values, time, failed
+    def __init__(self, values: Array, time: float, failed: str | None, ended: bool = False) -> None:
+        self.values, self.time, self.failed, self.ended = values, time, failed, ended
 
 
 @dataclass(frozen=True)
@@ -238,7 +243,7 @@ class Driver:
         sloped = [group for group in inputs.groups if group.is_slope]
         count = len(sloped[0].references) if sloped else 0
         orders = np.ones(count, dtype=np.int32)
-        result = np.empty((plan.row_count, outputs.width))
+        result = np.full((plan.row_count, outputs.width), np.nan)
         buffer = np.empty(max(1, *(one.selection.width for one in selected)))
         run = DriverRun(
             **self._addresses,
@@ -280,6 +285,5 @@ class Driver:
         failed = None
         if run.stage >= 0:
             failed = TOO_SLOW if run.stage == len(SLOTS) else self._function(run, run.stage)
-        return Outcome(
-            plan.table(outputs.named(result), outputs.is_discrete), run.time_reached, failed
-        )
+        table = plan.table(outputs.named(result), outputs.is_discrete)
+        return Outcome(table, run.time_reached, failed, bool(run.ended))

@@ -36,6 +36,10 @@ class _Ended(Exception):
         self.function = function
 
 
+class _EndedByModel(Exception):
+    """The FMU ends the simulation."""
+
+
 class _NoInput:
     """What FMPy's solver asks for inputs: ``_Integrator`` sets them itself."""
 
@@ -135,20 +139,22 @@ class ExchangeDriver:
         self._deadline = time.process_time() + (request.max_seconds or math.inf)
         self._values = np.full((plan.row_count, len(self._outputs)), np.nan)
         self._knot, self._next_event = -1, math.inf
-        failed = None
+        failed, ended = None, False
         try:
             self._initialise(request)
             self._integrate(request.tolerance or self._tolerance)
             self._calling("terminate").terminate()
         except FMICallException as problem:
             failed = problem.function
+        except _EndedByModel:
+            ended = True
         except _Ended as end:
             failed = end.function
             if str(end):
                 self._callbacks.note(None, 3, b"", str(end).encode())
         finally:
             self._function = ""
-        return Outcome(self._values[plan.rows], self.time, failed)
+        return Outcome(self._values[plan.rows], self.time, failed, ended)
 
     def _calling(self, function: str) -> Instance:
         self._calls += 1
@@ -187,7 +193,7 @@ class ExchangeDriver:
         for _ in range(_MOST_ITERATIONS):
             again, terminate, _, _, timed, at = iterate()
             if terminate:
-                raise _Ended("newDiscreteStates", "the FMU ends the simulation")
+                raise _EndedByModel
             if not again:
                 break
         else:
@@ -252,7 +258,12 @@ class ExchangeDriver:
         span = float(plan.times[-1] - plan.times[0])
         solver = _Integrator(self, self.time, _LONGEST_STEP * span or math.inf, tolerance)
         for point, goal in enumerate(plan.times.tolist()):
-            self._advance(solver, goal)
+            try:
+                self._advance(solver, goal)
+            except _EndedByModel:
+                if goal - self.time <= _near(goal):
+                    self._read(int(plan.rows_after[point]))
+                raise
             self._read(int(plan.rows_before[point]))
             if point and plan.knots[point] >= 0:
                 self._event(solver, int(plan.knots[point]))
@@ -269,7 +280,7 @@ class ExchangeDriver:
                 entered, ended = self._calling("completedIntegratorStep").completedIntegratorStep()
                 happened = happened or entered
             if ended:
-                raise _Ended("completedIntegratorStep", "the FMU ends the simulation")
+                raise _EndedByModel
             if happened or self.time >= self._next_event - near:
                 self._event(solver)
 

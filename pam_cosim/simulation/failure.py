@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from pam_cosim.errors import SimulationFailure
+
+if TYPE_CHECKING:
+    from pam_cosim.simulation.trajectory import Trajectory
 
 
 class RunFailure(SimulationFailure):
@@ -14,7 +18,10 @@ class RunFailure(SimulationFailure):
         reason: the FMU's own words, or what went wrong with it.
         time: reached [s]; None: not known.
         parameters: values that differ from the model's defaults.
+        run: the trajectory so far of a simulation that the FMU has ended itself; None: the FMU failed.
     """
+
+    run: Trajectory | None = None
 
     def __init__(
         self, reason: str, time: float | None = None, parameters: Mapping[str, float] | None = None

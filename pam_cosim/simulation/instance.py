@@ -8,6 +8,7 @@ import zipfile
 from pathlib import Path
 from typing import Any, TypeAlias
 
+import fmpy
 from fmpy.fmi2 import FMU2Model, FMU2Slave
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 from fmpy.model_description import ModelDescription
@@ -17,6 +18,7 @@ from pam_cosim.fmu.platforms import PLATFORMS, native_platform
 from pam_cosim.fmu.read import DAMAGED, TABLES, fmi_version
 from pam_cosim.simulation.driver import Callbacks
 from pam_cosim.simulation.failure import RunFailure
+from pam_cosim.wording import shown
 
 Instance: TypeAlias = (
     Any  # FMU2Slave | FMU3Slave | FMU2Model | FMU3Model, of a package without types
@@ -81,6 +83,8 @@ def load_instance(
     identifier = (
         description.modelExchange if exchange else description.coSimulation
     ).modelIdentifier
+    version = fmi_version(description)
+    library = _library(Path(directory), identifier, version, path)
     arguments = {
         "guid": description.guid,
         "unzipDirectory": directory,
@@ -89,9 +93,8 @@ def load_instance(
     }
     folder = os.getcwd()
     try:
-        version = fmi_version(description)
         if version == "2.0":
-            arguments["libraryPath"] = own_library(directory, identifier)
+            arguments["libraryPath"] = str(library)
         made = _CLASSES[version, exchange](**arguments)
         if (Path(directory) / TABLES).exists():  # a model as data
             from pam_cosim.simulation.tape import use_tapes
@@ -120,11 +123,23 @@ def _extract(path: Path, directory: Path) -> None:
                 shutil.copyfileobj(source, file)
 
 
-def own_library(directory: str, identifier: str) -> str | None:
-    """The binary in a directory of this platform's own; None: FMPy's choice, in the directory that FMI names."""
-    own = PLATFORMS[native_platform()]
-    path = Path(directory, "binaries", own.folder, f"{identifier}{own.suffix}")
-    return str(path) if path.exists() else None
+def _library(directory: Path, identifier: str, version: str, path: Path) -> Path:
+    """The binary for this machine: in the directory of this platform's own, or in that which FMI names.
+
+    Raises:
+        InputError: there is none.
+    """
+    own, binaries = PLATFORMS[native_platform()], directory / "binaries"
+    folders = (own.folder, fmpy.platform) if version == "2.0" else (own.tuple,)
+    files = [binaries / folder / f"{identifier}{own.suffix}" for folder in folders]
+    for file in files:
+        if file.exists():
+            return file
+    there = sorted(f"{f.parent.name}/{f.name}" for f in binaries.glob("*/*") if f.is_file())
+    held = f"it has {', '.join(map(shown, there))}" if there else "it has none at all"
+    raise InputError(
+        f"the FMU has no binary for this machine, {files[0].relative_to(directory)}; {held}", path
+    )
 
 
 def instantiate(instance: Instance, callbacks: Callbacks, file: str) -> None:

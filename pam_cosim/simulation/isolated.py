@@ -106,7 +106,7 @@ class IsolatedSimulator:
 
     def _second_attempt(self, request: dict[str, Any], failure: RunFailure) -> Trajectory:
         """The run by model exchange; the first failure, where there is none or it fails as well."""
-        if not has_exchange(self.path):
+        if failure.run is not None or not has_exchange(self.path):
             raise failure
         name, reason = self.path.name, RunFailure(failure.reason, failure.time)
         said = f"the co-simulation of {name} fails, so that its model exchange was run with CVode: {reason}"
@@ -116,7 +116,12 @@ class IsolatedSimulator:
             raise failure from None
 
     def _exchanged(self, request: dict[str, Any], said: str) -> Trajectory:
-        answer = self._exchange.answer("run", request | {"max_seconds": self._longest})
+        try:
+            answer = self._exchange.answer("run", request | {"max_seconds": self._longest})
+        except RunFailure as failure:
+            if failure.run is not None:
+                failure.run = replace(failure.run, solver=said)
+            raise
         assert isinstance(answer, Trajectory)
         return replace(answer, solver=said)
 

@@ -20,6 +20,8 @@ SLOTS = (
     "do_step",
     "terminate",
     "settle",
+    "real_status",
+    "boolean_status",
 )
 
 
@@ -75,6 +77,7 @@ class DriverRun(ctypes.Structure):
         ("stage", ctypes.c_int32),
         ("status", ctypes.c_int32),
         ("group", ctypes.c_void_p),
+        ("ended", ctypes.c_int32),
     ]
 
 

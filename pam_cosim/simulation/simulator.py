@@ -205,6 +205,8 @@ class Simulator:
         settings = {**own, **held}
         if outcome.failed is not None:
             raise self._failure(outcome.failed, outcome.time, settings, limit)
+        if outcome.ended:
+            self._check_end(wanted, names, outcome, settings)
         self._check_finite(wanted, names, outcome.values, settings)
         return self._trajectory(wanted, names, outcome, _steps_note(layout))
 
@@ -333,6 +335,20 @@ class Simulator:
             outcome = drive()
         self._used = True
         return outcome
+
+    def _check_end(
+        self, times: Array, names: Sequence[str], outcome: Outcome, settings: Mapping[str, float]
+    ) -> None:
+        """Raises RunFailure, with the trajectory so far, where the FMU ended the simulation early."""
+        near = 1e-9 * max(abs(outcome.time), 1.0)
+        is_there = (times <= outcome.time + near) & ~np.isnan(outcome.values).any(axis=1)
+        if is_there.all():
+            return
+        count = int(np.argmin(is_there))
+        outcome.values = outcome.values[:count]
+        failure = RunFailure("the FMU ends the simulation", outcome.time, self._changed(settings))
+        failure.run = self._trajectory(times[:count], names, outcome)
+        raise failure
 
     def _trajectory(
         self, time: Array, names: Sequence[str], outcome: Outcome, note: str = ""

@@ -19,7 +19,8 @@ from pam_cosim.simulation.values import Values, named_references
 _SLOPES_BESIDE_FMI = (
     "pam_set_input_slopes"  # of our own FMUs of version 3.0, which has no slopes of inputs
 )
-_LAST_SUCCESSFUL_TIME = 2  # fmi2StatusKind
+_LAST_SUCCESSFUL_TIME, _TERMINATED = 2, 3  # fmi2StatusKind
+_ENDS = "the FMU ends the simulation"
 
 
 class _Call:
@@ -262,7 +263,7 @@ class Stepper:
         with self._calling("fmi3DoStep"):
             _, terminate, early, reached = self._instance.doStep(self.time, duration, keep)
         if terminate or early:
-            raise self._failure("fmi3DoStep", reached, "the FMU ends the simulation")
+            raise self._failure("fmi3DoStep", reached, _ENDS)
 
     def _calling(self, function: str) -> _Call:
         """Around a call of the FMU: tells what is done, and turns a bad status into a failure."""
@@ -275,18 +276,19 @@ class Stepper:
     def _ended(self, failure: BaseException | None) -> None:
         function, self._active = self._active, ""
         if isinstance(failure, FMICallException):
-            raise self._failure(function, self._reached(function)) from None
+            default = _ENDS if self._asked(function, "getBooleanStatus", _TERMINATED) else ""
+            reached = self._asked(function, "getRealStatus", _LAST_SUCCESSFUL_TIME)
+            further = math.isfinite(reached) and reached > self.time
+            raise self._failure(function, reached if further else self.time, default) from None
 
-    def _reached(self, function: str) -> float:
-        """Where a step that failed has come to, as far as the FMU says."""
+    def _asked(self, function: str, query: str, kind: int) -> float:
+        """What an FMU of FMI 2.0 says of a step that failed; 0: nothing."""
         if function != "fmi2DoStep":
-            return self.time
-        ask: Callable[[int], float] = self._instance.getRealStatus
+            return 0.0
         try:
-            reached = float(ask(_LAST_SUCCESSFUL_TIME))
+            return float(getattr(self._instance, query)(kind))
         except (FMICallException, AttributeError, KeyError):  # it does not say
-            return self.time
-        return reached if math.isfinite(reached) and reached > self.time else self.time
+            return 0.0
 
     def _failure(self, function: str, time: float, default: str = "") -> RunFailure:
         messages = self.take_messages()

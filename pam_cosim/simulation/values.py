@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.fmu.read import Slot
+from pam_cosim.fmu.read import Slot, integer_span
 from pam_cosim.model.settings import Text
 
 # Of the functions, by major version of FMI and type in the description, where they differ.
@@ -214,7 +214,8 @@ class Values:
             if group.function == "String":
                 own = [text.decode() for text in selection.texts(numbers)]
             elif group.function in _INTEGERS:
-                own = [int(value) for value in own]
+                most = 1 if group.function == "Boolean" else integer_span(group.function)[1]
+                own = [min(int(value), most) for value in own]  # a double may round the greatest up
             getattr(self._instance, f"set{group.function}")(list(group.references), own)
 
     def get(self, names: Sequence[str]) -> list[float]:

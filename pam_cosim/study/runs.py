@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from shlex import quote
 
 import numpy as np
 
@@ -10,6 +12,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.settings import Setting, resolve
 from pam_cosim.simulation import Inputs, Trajectory
+from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.models import Paths, opened
 from pam_cosim.study.input_sources import Source, inputs_of
 from pam_cosim.units import UnitError, seconds
@@ -49,6 +52,9 @@ def simulate(
         timeout: [s] of processor time, after which a run of a Modelica model fails; default:
             ``LONGEST_RUN``. An FMU that makes no progress for so long is ended; default: a minute.
 
+    Returns:
+        The trajectory; of an FMU that ends the simulation itself the part up to there, with a warning.
+
     Raises:
         InputError: an unknown model or name, a value that cannot be used, an input given both ways.
         SimulationFailure: the run did not reach its end.
@@ -57,7 +63,12 @@ def simulate(
         interface = simulator.interface
         input_series, times = _input_series(interface, inputs, stop_time, interval)
         values, kept = resolve(parameters or {}, interface), kept_variables(interface, outputs)
-        return simulator.run(times, parameters=values, inputs=input_series, outputs=kept)
+        try:
+            return simulator.run(times, parameters=values, inputs=input_series, outputs=kept)
+        except RunFailure as failure:
+            if failure.run is None:
+                raise
+            return replace(failure.run, warnings=(str(failure), *failure.run.warnings))
 
 
 def _input_series(
@@ -87,6 +98,11 @@ def kept_variables(interface: Interface, outputs: Sequence[str]) -> list[str]:
     if isinstance(outputs, str):
         raise InputError(f"outputs are a list of names: write ['{outputs}']")
     interface_variables = interface.variables
+    if not outputs and not interface.outputs and interface.locals:
+        first = next(iter(interface.locals))
+        raise InputError(
+            f"{interface.model} has no outputs: name what to record, as --keep {quote(first)}"
+        )
     for name in outputs:
         if name not in interface_variables:
             raise InputError(
@@ -101,16 +117,11 @@ def output_times(
     stop_time: float | None = None,
     interval: float | None = None,
 ) -> np.ndarray:
-    """(n,) [s]: from the first input sample (or zero) to the last (or the model's default stop time)."""
-    start = float(inputs.time[0]) if inputs is not None else 0.0
-    end = (
-        stop_time
-        if stop_time is not None
-        else float(inputs.time[-1])
-        if inputs is not None
-        else interface.stop_time
-    )
-    step = interval if interval is not None else interface.interval or (end - start) / 1000
+    """(n,) [s]: from the first input sample (or the model's default start) to the last (or its default stop)."""
+    start = interface.start_time if inputs is None else float(inputs.time[0])
+    end = start + interface.stop_time if inputs is None else float(inputs.time[-1])
+    end = end if stop_time is None else stop_time
+    step = interface.interval if interval is None else interval
     if not end > start or not step > 0:
         raise InputError(
             f"the run must end after its start: from {start:g} s to {end:g} s in steps of {step:g} s"

@@ -49,15 +49,15 @@ _COMMON = """
 #include <string.h>
 #include <math.h>
 #define EXPORT __attribute__((visibility("default")))
-typedef struct { double v[64]; char text[64]; double time; void *environment; void *logger; int exchange; } M;
+typedef struct { double v[64]; char text[64]; double time; void *environment; void *logger; int exchange, ended; } M;
 %(names)s
 static const int OFFSET[] = {%(offsets)s}, SIZE[] = {%(sizes)s};
 static const double START[] = {%(starts)s};
 static int say(M *m, int status, const char *message);
 static void outputs(M *m) { %(outputs)s }
 static double rate(M *m) { return %(rate)s; }
-static int step(M *m, double h) { %(step)s; m->time += h; return 0; }
-static M *fresh(M *m) { memcpy(m->v, START, sizeof START); strcpy(m->text, "none"); m->time = 0; return m; }
+static int step(M *m, double h) { %(step)s; m->time += h; return m->ended ? 2 : 0; }
+static M *fresh(M *m) { memcpy(m->v, START, sizeof START); strcpy(m->text, "none"); m->time = m->ended = 0; return m; }
 """
 _VALUES = """
 EXPORT int fmi%(fmi)dSet%(type)s(M *m, const unsigned *r, size_t n, const %(c)s *x%(count)s) {
@@ -87,7 +87,11 @@ EXPORT int fmi2EnterInitializationMode(M *m) { return 0; }
 EXPORT int fmi2DoStep(M *m, double t, double h, int keep) { return step(m, h); }
 EXPORT int fmi2GetDerivatives(M *m, double *x, size_t n) { *x = rate(m); return 0; }
 EXPORT int fmi2NewDiscreteStates(M *m, int *info) { memset(info, 0, 20); return 0; }
-EXPORT int fmi2CompletedIntegratorStep(M *m, int keep, int *event, int *end) { *event = *end = 0; return 0; }
+EXPORT int fmi2CompletedIntegratorStep(M *m, int keep, int *event, int *end) {
+    outputs(m); *event = 0; *end = m->ended; return 0;
+}
+EXPORT int fmi2GetBooleanStatus(M *m, int kind, int *value) { *value = m->ended; return 0; }
+EXPORT int fmi2GetRealStatus(M *m, int kind, double *value) { *value = m->time; return 0; }
 EXPORT int fmi2SetString(M *m, const unsigned *r, size_t n, const char *const *x) { strcpy(m->text, *x); return 0; }
 """,
     3: """
@@ -110,13 +114,16 @@ EXPORT int fmi3EnterInitializationMode(M *m, _Bool d, double tol, double t, _Boo
     m->time = t; return 0;
 }
 EXPORT int fmi3DoStep(M *m, double t, double h, _Bool keep, _Bool *event, _Bool *end, _Bool *early, double *reached) {
-    *event = *end = *early = 0; *reached = t + h; return step(m, h);
+    int status = step(m, h);
+    *event = *early = 0; *end = m->ended; *reached = m->time; return m->ended ? 0 : status;
 }
 EXPORT int fmi3GetContinuousStateDerivatives(M *m, double *x, size_t n) { *x = rate(m); return 0; }
 EXPORT int fmi3UpdateDiscreteStates(M *m, _Bool *a, _Bool *b, _Bool *c, _Bool *d, _Bool *e, double *t) {
     *a = *b = *c = *d = *e = 0; return 0;
 }
-EXPORT int fmi3CompletedIntegratorStep(M *m, _Bool keep, _Bool *event, _Bool *end) { *event = *end = 0; return 0; }
+EXPORT int fmi3CompletedIntegratorStep(M *m, _Bool keep, _Bool *event, _Bool *end) {
+    outputs(m); *event = 0; *end = m->ended; return 0;
+}
 EXPORT int fmi3SetString(M *m, const unsigned *r, size_t n, const char *const *x, size_t k) {
     strcpy(m->text, *x); return 0;
 }
@@ -148,7 +155,8 @@ def foreign(
     kind: str = "CoSimulation",
     flags: str = 'canHandleVariableCommunicationStepSize="true"',
     types: str = "",
-    interval: float = 0.01,
+    interval: float | None = 0.01,
+    start: float = 0.0,
     stop: float = 1.0,
     slashes: str = "/",
 ) -> Path:
@@ -162,7 +170,7 @@ def foreign(
         (), {"m.c": _source(fmi, scalars, outputs, step, rate)}, native_platform()
     )
     with zipfile.ZipFile(path, "w") as archive:
-        text = _description(fmi, scalars, kind, flags, types, (interval, stop))
+        text = _description(fmi, scalars, kind, flags, types, (interval, start, stop))
         archive.writestr("modelDescription.xml", text)
         entry = zipfile.ZipInfo("x")
         entry.filename = f"binaries/{folder}/m{own.suffix}".replace("/", slashes)
@@ -218,7 +226,7 @@ def _description(
     kind: str,
     flags: str,
     types: str,
-    times: tuple[float, float],
+    times: tuple[float | None, float, float],
 ) -> str:
     numbers = {s.name: i for i, s in enumerate(scalars)}
     lines = []
@@ -252,11 +260,14 @@ def _description(
         structure = "".join(f'<Output valueReference="{i}"/>' for i in outputs)
         structure += "".join(f'<ContinuousStateDerivative valueReference="{i}"/>' for i in rates)
         token = 'instantiationToken="g"'
+    if kind == "ModelExchange":
+        flags = 'needsCompletedIntegratorStep="true"' if fmi == 3 else ""
+    step = "" if times[0] is None else f' stepSize="{times[0]}"'
     return (
         f'<?xml version="1.0" encoding="UTF-8"?>\n<fmiModelDescription fmiVersion="{fmi}.0" modelName="m" {token}>'
-        f'<{kind} modelIdentifier="m" {flags if kind == "CoSimulation" else ""}/>'
+        f'<{kind} modelIdentifier="m" {flags}/>'
         f"<TypeDefinitions>{types}</TypeDefinitions>"
-        f'<DefaultExperiment startTime="0" stopTime="{times[1]}" stepSize="{times[0]}"/>'
+        f'<DefaultExperiment startTime="{times[1]}" stopTime="{times[2]}"{step}/>'
         f"<ModelVariables>{''.join(lines)}</ModelVariables>"
         f"<ModelStructure>{structure}</ModelStructure></fmiModelDescription>"
     )

@@ -10,7 +10,7 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fmu.read import read_interface
+from pam_cosim.fmu.read import integer_span, read_interface
 from pam_cosim.model.settings import resolve
 from pam_cosim.simulation import Inputs, IsolatedSimulator
 from tests.fmu.foreign import Scalar, foreign
@@ -86,6 +86,93 @@ def test_what_a_variable_cannot_be(
     interface = read_interface(valve_fmu(tmp_path, fmi))
     with pytest.raises(InputError, match=message):
         resolve(setting, interface)
+
+
+@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
+def test_the_ends_of_every_integer(kind: str, tmp_path: Path) -> None:
+    """They arrive as they are, though a double rounds the greatest of 64 bits up; the next numbers are refused."""
+    ends = {t: integer_span(t) for t in INTEGERS}
+    scalars = [
+        *(Scalar(f"i_{t}", t, "parameter", "1", "fixed") for t in INTEGERS),
+        Scalar("x", "Float64", "local", "0"),
+        Scalar("der(x)", "Float64", "local"),
+        *(Scalar(f"is_{end}", "Int32", "output", None, "discrete") for end in ("low", "high")),
+    ]
+    limits = {t: ("0" if t[0] == "U" else f"{t.upper()}_MIN", f"{t.upper()}_MAX") for t in INTEGERS}
+    low, high = ([f"$i_{t} == (double){limits[t][k]}" for t in INTEGERS] for k in (0, 1))
+    outputs = f"$is_low = {' && '.join(low)}; $is_high = {' && '.join(high)};"
+    path = foreign(tmp_path / "i.fmu", 3, scalars, outputs=outputs, kind=kind)
+    for k, output in enumerate(("is_low", "is_high")):
+        run = pam.simulate(path, {f"i_{t}": str(ends[t][k]) for t in INTEGERS}, stop_time=0.1)
+        assert run[output][0] == 1, output
+    for t in INTEGERS:
+        beyond = 2 * ends[t][1] + 1 if t.endswith("64") else ends[t][1] + 1
+        with pytest.raises(InputError, match=f"a whole number from {ends[t][0]} to {ends[t][1]}"):
+            resolve({f"i_{t}": str(beyond)}, read_interface(path))
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
+def test_an_fmu_that_ends_the_simulation(fmi: int, kind: str, tmp_path: Path) -> None:
+    """The run up to there is the result, with a warning; a fit and a coupling fail, and say so."""
+    real = "Real" if fmi == 2 else "Float64"
+    scalars = [
+        Scalar("x", real, "output", "0"),
+        Scalar("der(x)", real, "local"),
+        Scalar("end", real, "parameter", "0.42", "fixed"),
+    ]
+    step = "if (m->time + h > $end) { h = $end - m->time; m->ended = 1; } $x += h"
+    ends = "m->ended = m->ended || m->time >= $end;"
+    path = foreign(
+        tmp_path / "e.fmu", fmi, scalars, step=step, outputs=ends, rate="1", kind=kind, interval=0.1
+    )
+    run = pam.simulate(path)
+    assert "the FMU ends the simulation (simulated up to 0." in run.warnings[0]
+    assert len(run.time) in (5, 6) and np.allclose(run["x"], run.time, atol=1e-6)
+    assert len(pam.simulate(path, {"end": 2.0}).time) == 11
+    with (
+        IsolatedSimulator(path) as simulator,
+        pytest.raises(SimulationFailure, match="ends the simulation"),
+    ):
+        simulator.run([0.0, 0.3, 0.6, 0.9])
+    if kind == "CoSimulation":
+        with pytest.raises(SimulationFailure, match="'a' .* failed: the FMU ends the simulation"):
+            pam.couple({"a": path}, []).simulate(1.0, step=0.1)
+
+
+@pytest.mark.parametrize(
+    ("start", "stop", "interval", "rows"),
+    [
+        (0.0, 10.0, None, 1001),  # 0.01 s, the usual interval
+        (5.0, 10.0, 0.5, 11),
+        (0.0, 1e-3, None, 1001),
+        (1e-5, 1e8, None, 1001),
+    ],
+)
+def test_times_that_an_fmu_declares(
+    start: float, stop: float, interval: float | None, rows: int, tmp_path: Path
+) -> None:
+    scalars = [Scalar("t", "Real", "output")]
+    path = foreign(
+        tmp_path / "t.fmu",
+        2,
+        scalars,
+        outputs="$t = m->time;",
+        start=start,
+        stop=stop,
+        interval=interval,
+    )
+    run = pam.simulate(path)
+    assert (run.time[0], run.time[-1], len(run.time)) == (start, stop, rows)
+    assert np.allclose(run["t"], run.time, rtol=1e-9, atol=0)
+
+
+def test_an_fmu_without_outputs(tmp_path: Path) -> None:
+    """The advice is followed."""
+    path = foreign(tmp_path / "n.fmu", 2, [Scalar("z", "Real", "local", "2")])
+    with pytest.raises(InputError, match="m has no outputs: name what to record, as --keep z"):
+        pam.simulate(path)
+    assert pam.simulate(path, outputs=["z"])["z"][-1] == 2
 
 
 def test_arrays_by_element_and_every_integer(tmp_path: Path) -> None:
