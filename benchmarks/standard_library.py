@@ -31,7 +31,7 @@ PACKAGES = (
 )
 _POINTS = 201
 _LONGEST = 60.0  # [s] of processor time of a run
-_EVENTS = re.compile(r"'when'|pre\(\)|sample\(\)|edge\(\)|change\(\)|reinit\(\)|an event does")
+_EVENTS = re.compile(r"\b(when|pre|sample|edge|change|reinit)\b|an event does")
 
 
 def examples(folder: Path) -> Iterator[str]:
@@ -55,18 +55,29 @@ def reference_of(model: str, folder: Path, omc: str) -> dict[str, np.ndarray] | 
     """The trajectories of OpenModelica by variable; None: it has none."""
     file = Path(f"{model}_res.csv")
     if not file.exists() and omc:
-        loads = [folder.parent / "Complex.mo", folder.parent / "ModelicaServices" / "package.mo"]
-        lines = [f'loadFile("{one}");' for one in (*loads, folder / "package.mo")]
         options = f'tolerance=1e-8, numberOfIntervals={_POINTS - 1}, outputFormat="csv"'
-        lines.append(f'simulate({model}, {options}, fileNamePrefix="{model}");')
-        Path(f"{model}.mos").write_text("\n".join(lines))
-        subprocess.run([omc, f"{model}.mos"], capture_output=True, check=False)
+        _answer(f'simulate({model}, {options}, fileNamePrefix="{model}");', folder, omc)
     if not file.exists():
         return None
     with file.open() as opened_file:
         header, *rows = csv.reader(opened_file)
     values = np.array([[float(cell) for cell in row] for row in rows])
     return dict(zip(header, values.T, strict=True))
+
+
+def _answer(command: str, folder: Path, omc: str) -> str:
+    """What OpenModelica prints of a command, with the library loaded."""
+    loads = [folder.parent / "Complex.mo", folder.parent / "ModelicaServices" / "package.mo"]
+    lines = [f'loadFile("{one}");' for one in (*loads, folder / "package.mo")]
+    Path("command.mos").write_text("\n".join([*lines, command]))
+    run = subprocess.run([omc, "command.mos"], capture_output=True, text=True, check=False)
+    return run.stdout
+
+
+def _has_events(model: str, message: str, folder: Path, omc: str) -> bool:
+    """Whether the flat model has events of its own, by the message of the compiler or by OpenModelica."""
+    flat = _answer(f"instantiateModel({model});", folder, omc) if omc else ""
+    return bool(_EVENTS.search(message) or _EVENTS.search(re.sub(r'"[^"\n]*"', "", flat)))
 
 
 def deviation(model: str, folder: Path, reference: dict[str, np.ndarray]) -> tuple[float, int]:
@@ -102,7 +113,7 @@ def row(model: str, folder: Path, omc: str) -> str:
         describe(model, [folder])
     except InputError as error:
         message = error.message.removeprefix(f"{model}: ").replace("|", "/")
-        kind = "events" if _EVENTS.search(message) else "refused"
+        kind = "events" if _has_events(model, message, folder, omc) else "refused"
         return f"| {short} | {kind} | | {message[:110]} |"
     seconds = time.perf_counter() - begin
     reference = reference_of(model, folder, omc)

@@ -6,6 +6,7 @@ What it loads takes a second, in which it can be interrupted too: so it loads li
 from __future__ import annotations
 
 import errno
+import gc
 import io
 import os
 import signal
@@ -22,6 +23,7 @@ _SIGNALS = (signal.SIGINT, signal.SIGTERM)
 _AGAIN = 0.05  # [s] after which an ignored interrupt is repeated
 _LAST = 1.0  # [s] for an interrupted command to end by itself once everything is cleaned up
 _ABANDONED = 86_400.0  # [s] after which the folder of a process that is no more is removed
+_OBJECTS = 50_000  # that are new when a search for cycles begins: what is loaded has few, and stays
 _PATIENCE = 5.0  # [s] after an interrupt in which another one does not disturb the cleaning up
 
 
@@ -122,6 +124,7 @@ def _remove_abandoned(place: str) -> None:
 
 def run() -> None:
     """Entry point of the command line."""
+    gc.set_threshold(_OBJECTS)
     _print_somewhere()
     _print_what_can_be_printed()
     command = _Command()

@@ -26,9 +26,12 @@ def describe(model: str, files: Paths = ()) -> Interface:
     Raises:
         InputError: there is no such model, or it cannot be compiled.
     """
+    model = model_name(model)
+    if is_fmu(model):
+        return read_interface(_built(model, ()))
     from pam_cosim.fmu.library import description_of
 
-    return read_interface(description_of(model_name(model), as_paths(files)))
+    return read_interface(description_of(model, as_paths(files)))
 
 
 def build(
