@@ -172,10 +172,10 @@ def find_columns(
         )
         raise InputError(f"{message}, down to {_MOST}", sources[-1].file)
     columns = [_found(name, sources, headings) for name in names]
-    columns = _valves(_supply(columns))
+    stated, in_formulas = {*stated}, {name for formula in formulas for name in names_in(formula)}
+    columns = _valves(_supply(columns), stated)
     if any(c.of("time") for c in columns):
         columns = [_kept(c) if _is_logged_on_change(c) else c for c in columns]
-    stated, in_formulas = {*stated}, {name for formula in formulas for name in names_in(formula)}
     _check_alike([c for c in columns if c.name not in stated], sources)
     for one in columns:
         lacking = _lacks_unit(one) and one.name not in in_formulas
@@ -374,9 +374,9 @@ def _varies_little(values: Array) -> bool:
     return not present.size or span(present) < _SUPPLY_RANGE * float(np.mean(present))
 
 
-def _valves(columns: list[RecordedColumn]) -> list[RecordedColumn]:
+def _valves(columns: list[RecordedColumn], stated: set[str]) -> list[RecordedColumn]:
     """Of two signals of valves that do not say which, the first is the inlet's; one alone is too."""
-    columns = _signed(columns)
+    columns = _signed(columns, stated)
     for kind in ("current", "command"):
         of_kind = [c for c in columns if c.kind == kind and c.meaning is not None]
         if len(of_kind) > 2:
@@ -404,7 +404,7 @@ def _why_valve(role: str, alone: bool) -> str:
     )
 
 
-def _signed(columns: list[RecordedColumn]) -> list[RecordedColumn]:
+def _signed(columns: list[RecordedColumn], stated: set[str]) -> list[RecordedColumn]:
     """The columns, of which one that is above and below zero as the pressure rises and falls commands two valves."""
     pressure = next((c for c in columns if c.of("pressure")), None)
     driving = [c for c in columns if c.kind in ("current", "command")]
@@ -418,7 +418,7 @@ def _signed(columns: list[RecordedColumn]) -> list[RecordedColumn]:
     ):
         return columns
     change = {i: np.gradient(values) for i, values in pressure.values.items() if len(values) > 2}
-    for one in rivals:
+    for one in (c for c in rivals if c.name not in stated):
         low, high = np.nanmin(one.every, initial=0.0), np.nanmax(one.every, initial=0.0)
         both = -low > IMPOSED_RANGE * high > 0.0 and high > IMPOSED_RANGE * -low
         if both and correlation(one.values, change) > _LEAST_SIGNED:

@@ -391,3 +391,31 @@ def test_what_has_neither_inputs_nor_states(tmp_path: Path) -> None:
     file = foreign(tmp_path / "static.fmu", 3, scalars, outputs="$y = $a * $b;")
     made = pam.simulate(file, {"b": 4, "a": 2.5})
     assert np.array_equal(made["y"], np.full(made.time.shape, 10.0))
+
+
+def test_what_new_says_of_an_fmu_is_followed(tmp_path: Path) -> None:
+    """What may be free stands in the advice; nothing leads to a diagnosis, which an FMU cannot have."""
+    tau = Scalar("tau", "Real", "parameter", "0.5", "fixed", 'min="0.3" max="40"')
+    path = foreign(tmp_path / "v.fmu", 2, [*SINE, tau], step=FIRST_ORDER.replace("0.3", "$tau"))
+    times = np.linspace(0, 2, 201)
+    inputs = {"time": times, "u": np.sin(6 * times)}
+    pam.simulate(path, {"tau": 0.4}, inputs).to_csv(tmp_path / "p.csv")
+    rows = (tmp_path / "p.csv").read_text().splitlines()
+    cells = ["u", *(f"{u!r}" for u in inputs["u"].tolist())]
+    (tmp_path / "r.csv").write_text("\n".join(f"{r},{u}" for r, u in zip(rows, cells, strict=True)))
+    made = pam.new(tmp_path / "d", [tmp_path / "r.csv"], model=str(path))
+    entry = next(one for one in made.to_check if "such as" in one and "[fit]" in one).split("such as ")
+    assert entry[1] == '"tau" = { min = 0.3, max = 1 }'
+    assert not any("diagnose" in one for one in (*made.to_check, *made.next_commands))
+    with (tmp_path / "d" / "experiment.toml").open("a") as file:
+        file.write(f"\n[fit]\n{entry[1]}\n")
+    assert pam.fit(pam.read(tmp_path / "d")).parameters["tau"].value == pytest.approx(0.4, rel=1e-3)
+
+
+def test_inputs_under_other_names(tmp_path: Path) -> None:
+    """A file of inputs belongs to no data set, and nothing of one is advised."""
+    path = foreign(tmp_path / "v.fmu", 2, SINE, step=FIRST_ORDER)
+    (tmp_path / "in.csv").write_text("time [s],u,w\n0,1,1\n1,1,1\n")
+    with pytest.raises(InputError, match="m has no input or output 'w'") as refusal:
+        pam.simulate(path, inputs=tmp_path / "in.csv")
+    assert "experiment" not in str(refusal.value) and "[columns]" not in str(refusal.value)
