@@ -106,7 +106,8 @@ def map_columns(choice: BenchChoice, interface: Interface, evidence: Evidence) -
         entries[name] = ColumnEntry(name, formula=formula)
     times = {i: _time(i, evidence) for i in range(len(evidence.sources))}
     pressure = _first(values, meanings, _PRESSURE, _SET)
-    for name in sorted(values, key=lambda name: meanings[name] != _FORCE):
+    by_convention = [name for name in values if not variables[name].is_foreign]
+    for name in sorted(by_convention, key=lambda name: meanings[name] != _FORCE):
         pull = _first(values, meanings, _FORCE) if name in interface.inputs else None
         why = _why_reversed(values[name], meanings[name], choice.fed[name], pressure, pull)
         if why:
@@ -115,7 +116,7 @@ def map_columns(choice: BenchChoice, interface: Interface, evidence: Evidence) -
     runs = _runs(interface, times, values, headings, moving=not evidence.points)
     if evidence.points:
         return Mapped(entries, runs)
-    for name in values:
+    for name in by_convention:
         entry, zeros = _with_zero(
             entries[name], name, choice, meanings, runs, pressure, variables[name]
         )
@@ -188,9 +189,9 @@ def _named(
     name: str, column: RecordedColumn, variable: Variable, interface: Interface, evidence: Evidence
 ) -> tuple[ColumnEntry, dict[int, Array]]:
     """The entry that renames a column or makes it what the bench calls so, and its numbers."""
-    if column.kind == "direction":
+    if column.kind == "direction" and not variable.is_foreign:
         return _direction(name, column, evidence)
-    wanted = evidence.headings.variable(variable)
+    wanted = None if variable.is_foreign else evidence.headings.variable(variable)
     if wanted and wanted.kind == "contraction" and column.kind in ("length", "ratio"):
         return _contraction(name, column, interface, evidence.stated)
     if column.kind == "force" and column.unit and alike(column.unit, "kg"):
@@ -199,7 +200,7 @@ def _named(
         why = (*column.why, f"a force in {column.unit}, times gravity")
         return scaled(name, column, GRAVITY, None, why), numbers
     numbers = _converted(name, column, variable.unit)
-    if column.absolute and column.kind == "pressure" and not variable.pressures:
+    if column.absolute and column.kind == "pressure" and variable.is_foreign:
         why = (*column.why, f"its heading says absolute: state an offset if {name} is gauge")
         return ColumnEntry(name, column.name, column.unit or None, why=why), numbers
     if column.absolute and column.kind == "pressure":

@@ -75,6 +75,11 @@ class Variable:
             return SWITCH_WORDS
         return {name.casefold(): number for name, number in (self.items or {}).items()}
 
+    @property
+    def is_foreign(self) -> bool:
+        """Whether the model is an FMU of another tool, whose signs and zeros are its own."""
+        return not self.pressures
+
     def allows(self, number: float) -> bool:
         """Whether a number is a value of this kind; ranges are not looked at."""
         if self.kind == "String":

@@ -404,7 +404,9 @@ def test_what_new_says_of_an_fmu_is_followed(tmp_path: Path) -> None:
     cells = ["u", *(f"{u!r}" for u in inputs["u"].tolist())]
     (tmp_path / "r.csv").write_text("\n".join(f"{r},{u}" for r, u in zip(rows, cells, strict=True)))
     made = pam.new(tmp_path / "d", [tmp_path / "r.csv"], model=str(path))
-    entry = next(one for one in made.to_check if "such as" in one and "[fit]" in one).split("such as ")
+    entry = next(one for one in made.to_check if "such as" in one and "[fit]" in one).split(
+        "such as "
+    )
     assert entry[1] == '"tau" = { min = 0.3, max = 1 }'
     assert not any("diagnose" in one for one in (*made.to_check, *made.next_commands))
     with (tmp_path / "d" / "experiment.toml").open("a") as file:
@@ -419,3 +421,26 @@ def test_inputs_under_other_names(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="m has no input or output 'w'") as refusal:
         pam.simulate(path, inputs=tmp_path / "in.csv")
     assert "experiment" not in str(refusal.value) and "[columns]" not in str(refusal.value)
+
+
+def test_signs_and_zeros_of_an_fmu_are_its_own(tmp_path: Path) -> None:
+    """A pull below zero and a contraction that falls with the pressure stay as the FMU has them."""
+    units = {"u": "Pa", "p": "Pa", "s": "m", "F": "N"}
+    kinds = {name: "input" if name == "u" else "output" for name in units}
+    scalars = [Scalar(n, "Real", k, "0", further=f'unit="{units[n]}"') for n, k in kinds.items()]
+    path = foreign(
+        tmp_path / "m.fmu",
+        2,
+        scalars,
+        step=FIRST_ORDER,
+        outputs="$s = -1e-7 * $p; $F = -5 - $p / 1e3;",
+    )
+    times = np.linspace(0, 2, 201)
+    inputs = {"time": times, "u": 5e4 * (1 - np.cos(4 * times))}
+    run = pam.simulate(path, inputs=inputs)
+    columns = [times, inputs["u"] / 1e3, run["p"] / 1e3, run["s"] * 1e3, run["F"]]
+    rows = [",".join(f"{v:.9g}" for v in row) for row in zip(*columns, strict=True)]
+    (tmp_path / "r.csv").write_text("\n".join(["time [s],u [kPa],p [kPa],s [mm],F [N]", *rows]))
+    pam.new(tmp_path / "d", [tmp_path / "r.csv"], model=str(path))
+    compared = pam.compare(pam.read(tmp_path / "d"))
+    assert all(score.nrmse < 1e-3 for score in compared.scores["fit"].values())
