@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import casadi as ca
@@ -72,24 +72,24 @@ def _extremum(
 
 
 def _sum(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
-    values = (
-        evaluator.combinations(node, scope, names)
-        if node.iterators
-        else evaluated_arguments(evaluator, node, scope, names, 1)
-    )
-    return arithmetic.total(arithmetic.flattened(values))
+    return arithmetic.total(_terms(evaluator, node, scope, names))
 
 
 def _product(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
+    result: Value = 1
+    for value in _terms(evaluator, node, scope, names):
+        result = arithmetic.binary("*", result, value)
+    return result
+
+
+def _terms(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Sequence[Value]:
+    """Of a sum or a product: elements of an array, or an expression for each value of iterators."""
     values = (
         evaluator.combinations(node, scope, names)
         if node.iterators
         else evaluated_arguments(evaluator, node, scope, names, 1)
     )
-    result: Value = 1
-    for value in arithmetic.flattened(values):
-        result = arithmetic.binary("*", result, value)
-    return result
+    return arithmetic.flattened(values)
 
 
 def _der(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:

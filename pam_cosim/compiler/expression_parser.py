@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable, Container
 from typing import NoReturn
 
 from pam_cosim.compiler.budget import LARGEST_INTEGER, LIMITS
@@ -180,20 +181,19 @@ class ExpressionParser:
 
     def disjunction(self) -> Expression:
         """``a or b``."""
-        left = self.conjunction()
-        while self.kind == "or":
-            at = self.offset
-            self.index += 1
-            left = Binary(at, "or", left, self.conjunction())
-        return left
+        return self._from_left(("or",), self.conjunction, self.conjunction())
 
     def conjunction(self) -> Expression:
         """``a and b``."""
-        left = self.negation()
-        while self.kind == "and":
-            at = self.offset
-            self.index += 1
-            left = Binary(at, "and", left, self.negation())
+        return self._from_left(("and",), self.negation, self.negation())
+
+    def _from_left(
+        self, operators: Container[str], operand: Callable[[], Expression], left: Expression
+    ) -> Expression:
+        """Operators of one rank, of which the first is applied first, after the operand ``left``."""
+        while self.kind in operators:
+            at, operator = self.offset, self.advance()
+            left = Binary(at, operator, left, operand())
         return left
 
     def negation(self) -> Expression:
@@ -220,20 +220,11 @@ class ExpressionParser:
             left: Expression = Unary(at, operator.lstrip("."), self.term())
         else:
             left = self.term()
-        while self.kind in _ADDITIONS:
-            at = self.offset
-            operator = self.advance()
-            left = Binary(at, operator, left, self.term())
-        return left
+        return self._from_left(_ADDITIONS, self.term, left)
 
     def term(self) -> Expression:
         """Products."""
-        left = self.factor()
-        while self.kind in _PRODUCTS:
-            at = self.offset
-            operator = self.advance()
-            left = Binary(at, operator, left, self.factor())
-        return left
+        return self._from_left(_PRODUCTS, self.factor, self.factor())
 
     def factor(self) -> Expression:
         """Powers."""

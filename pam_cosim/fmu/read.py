@@ -83,38 +83,19 @@ def read_description(path: Path) -> ModelDescription:
 
 
 def exchange_description(path: Path) -> ModelDescription:
-    """FMPy's model description of a model-exchange FMU of FMI 2.0 or 3.0.
+    """The same, of an FMU that has model exchange.
 
     Raises:
         InputError: not an FMU, or not of that kind.
     """
-    description = _description(path)
-    if fmi_version(description) not in ("2.0", "3.0") or description.modelExchange is None:
-        kind = "model exchange" if description.modelExchange is not None else "no model exchange"
+    description = read_description(path)
+    if description.modelExchange is None:
         raise InputError(
-            "the states and their rates are needed, which an FMU of FMI 2.0 or 3.0 shows in model exchange; this is "
-            f"FMI {description.fmiVersion} with {kind} (our own FMUs lack it where the model delays a signal)",
+            "the states and their rates are needed, which an FMU shows in model exchange; this one has none (our own "
+            "FMUs lack it where the model delays a signal)",
             path,
         )
     return description
-
-
-def has_exchange(path: Path) -> bool:
-    """Whether an FMU is for model exchange.
-
-    Raises:
-        InputError: not an FMU.
-    """
-    return _description(path).modelExchange is not None
-
-
-def has_co_simulation(path: Path) -> bool:
-    """Whether an FMU is for co-simulation.
-
-    Raises:
-        InputError: not an FMU.
-    """
-    return _description(path).coSimulation is not None
 
 
 def _description(path: Path) -> ModelDescription:

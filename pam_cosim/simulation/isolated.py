@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from pam_cosim.counts import checked_time
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.read import has_co_simulation, has_exchange, read_interface
+from pam_cosim.fmu.read import read_description, read_interface
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation.driver import Settle
 from pam_cosim.simulation.failure import RunFailure
@@ -91,7 +91,7 @@ class IsolatedSimulator:
             "start_time": start_time,
             "settle": settle,
         }
-        if not has_co_simulation(self.path):
+        if read_description(self.path).coSimulation is None:
             return self._exchanged(
                 request, f"{self.path.name} is for model exchange: run with CVode"
             )
@@ -106,7 +106,7 @@ class IsolatedSimulator:
 
     def _second_attempt(self, request: dict[str, Any], failure: RunFailure) -> Trajectory:
         """The run by model exchange; the first failure, where there is none or it fails as well."""
-        if failure.run is not None or not has_exchange(self.path):
+        if failure.run is not None or read_description(self.path).modelExchange is None:
             raise failure
         name, reason = self.path.name, RunFailure(failure.reason, failure.time)
         said = f"the co-simulation of {name} fails, so that its model exchange was run with CVode: {reason}"
@@ -142,7 +142,7 @@ class IsolatedSimulator:
     @property
     def settles(self) -> bool:
         """As ``Simulator.settles``."""
-        if not has_co_simulation(self.path):
+        if read_description(self.path).coSimulation is None:
             return False
         if self._settles is None:
             self._settles = bool(self._process.answer("settles", {}))

@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-import csv
-import io
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from pam_cosim.arrays import Array
-from pam_cosim.errors import InputError
 from pam_cosim.exports import Columns, Tabular, check_table_ending, write_table
-from pam_cosim.files import read_file, written_whole
+from pam_cosim.files import written_whole
 from pam_cosim.libraries import library
 from pam_cosim.simulation.netcdf import with_netcdf_names
 from pam_cosim.units import format_quantity
@@ -23,8 +17,6 @@ from pam_cosim.wording import Printed
 
 if TYPE_CHECKING:
     import xarray
-
-_HEADER = re.compile(r"\s*(?P<name>.*?)(?:\s+\[(?P<unit>[^\[\]]*)\])?\s*")
 
 
 @dataclass(frozen=True)
@@ -100,41 +92,6 @@ class Trajectory(Printed, Tabular):
         write_table(Path(path), (["time [s]", *heads], zip(*columns, strict=True)))
         return Path(path)
 
-    @classmethod
-    def from_csv(cls, path: Path) -> Trajectory:
-        """Reads what ``to_csv`` wrote.
-
-        Raises:
-            InputError: no such file, or a line that is not made of numbers.
-        """
-        try:
-            lines = list(csv.reader(io.StringIO(read_file(Path(path)).decode(), newline="")))
-        except (OSError, UnicodeDecodeError, csv.Error) as error:
-            raise InputError(f"cannot be read: {error}", path) from error
-        if not lines or not lines[0] or not lines[0][0].startswith("time"):
-            raise InputError("the first column of the header must be 'time [s]'", path, 1)
-        heads = [match for match in map(_HEADER.fullmatch, lines[0]) if match]
-        columns = np.array(_numbers(lines, len(heads), path)).reshape(-1, len(heads)).T
-        names = [head["name"] for head in heads[1:]]
-        units = [head["unit"] or "" for head in heads[1:]]
-        return cls(
-            columns[0],
-            dict(zip(names, columns[1:], strict=True)),
-            dict(zip(names, units, strict=True)),
-        )
-
 
 def _header(name: str, unit: str) -> str:
     return f"{name} [{unit}]" if unit else name
-
-
-def _numbers(lines: list[list[str]], width: int, path: Path) -> list[list[float]]:
-    rows = []
-    for number, line in enumerate(lines[1:], 2):
-        if len(line) != width:
-            raise InputError(f"{len(line)} values under {width} headings", path, number)
-        try:
-            rows.append([float(text) for text in line])
-        except ValueError as error:
-            raise InputError(f"not a number: {error}", path, number) from error
-    return rows

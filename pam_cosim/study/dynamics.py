@@ -16,7 +16,7 @@ from pam_cosim.analysis.linear_models import LinearModels
 from pam_cosim.analysis.linearise import linearise_at, linearise_run
 from pam_cosim.analysis.sines import Sines, respond, respond_from_start
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.read import exchange_description, has_exchange, interface_of, read_interface
+from pam_cosim.fmu.read import exchange_description, interface_of, read_description, read_interface
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu
 from pam_cosim.model.settings import Setting, resolve, size_of, value_of
@@ -279,7 +279,7 @@ def frequency_response(
         raise InputError("at least two periods are needed")
     path = models.build(model, files=files)
     face = read_interface(path)
-    exchanging = has_exchange(path)
+    exchanging = read_description(path).modelExchange is not None
     if input not in face.inputs:
         raise InputError(f"{face.model} has no input '{input}'; {did_you_mean(input, face.inputs)}")
     size = size_of("the amplitude", amplitude, face.inputs[input])

@@ -13,9 +13,9 @@ import pytest
 
 from pam_cosim import study
 from pam_cosim.fitting import read_parameters
-from pam_cosim.simulation import Trajectory
 from tests.cli.conftest import Outcome
 from tests.fitting.models import TRUE_C_D, TRUE_N
+from tests.trajectories import read_trajectory
 
 Command = Callable[..., Outcome]
 
@@ -56,7 +56,7 @@ def test_build_with_sensitivities(command: Command, place: Path) -> None:
 def test_simulate_default(command: Command, place: Path) -> None:
     """Fills the 2.1 L tank from 207 kPa at 0.35 A over 60 s."""
     outcome = done(command("simulate TankFilling -o t.csv --plot t.png"))
-    run = Trajectory.from_csv(place / "t.csv")
+    run = read_trajectory(place / "t.csv")
     assert run.time[0] == 0.0 and run.time[-1] == 60.0
     assert run.units == {"p": "Pa", "T": "K"}
     assert run["p"][0] == 0.0 and run["p"][-1] == pytest.approx(207e3, rel=1e-3)
@@ -70,12 +70,12 @@ def test_simulate_with_parameters_and_inputs(command: Command, place: Path) -> N
         "time [s],u_in [A],u_out [A],p_supply [kPa]\n0,0,0,100\n1,0,0,100\n1,0.3,0,100\n5,0.3,0,100\n"
     )
     done(command("simulate TankFilling --input u.csv --set 'tank.V=0.35 l' -o t.csv"))
-    run = Trajectory.from_csv(place / "t.csv")
+    run = read_trajectory(place / "t.csv")
     assert run.time[-1] == 5.0
     before, after = run["p"][run.time <= 1.0], run["p"][run.time > 1.1]
     assert abs(before).max() < 1.0 and after.min() > 1e3 and after.max() < 100e3
     done(command("simulate TankFilling --input u.csv --set 'tank.V=0.7 l' -o s.csv"))
-    assert Trajectory.from_csv(place / "s.csv")["p"][-1] < 0.8 * run["p"][-1]
+    assert read_trajectory(place / "s.csv")["p"][-1] < 0.8 * run["p"][-1]
 
 
 def test_simulation_that_breaks_down(command: Command, place: Path) -> None:
@@ -237,7 +237,7 @@ def test_add_writes_a_model_that_simulates(command: Command, place: Path) -> Non
     )
     done(command("simulate Leaky.mo -o leaky.csv"))
     done(command("simulate TankFilling -o plain.csv"))
-    leaky, plain = (Trajectory.from_csv(place / f"{n}.csv") for n in ("leaky", "plain"))
+    leaky, plain = (read_trajectory(place / f"{n}.csv") for n in ("leaky", "plain"))
     # a hole of 5 mm2/1000 against a valve that is fifty times as wide: settles (1/50)^2 / 2 of the supply lower
     assert 20.0 < plain["p"][-1] - leaky["p"][-1] < 500.0
     done(command("build Leaky.mo -o ."))

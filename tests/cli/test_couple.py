@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-import pam_cosim as pam
 from tests.cli.conftest import Outcome
+from tests.trajectories import read_trajectory
 
 SYSTEM = """\
 title = "the isotonic bench in pieces"
@@ -62,12 +62,12 @@ def test_couples_a_written_system(command: Run, system: Path) -> None:
         "jacobi up to 0.3 s: 300 steps of 0.001 s" in done.out
         and "muscle.x: from -0.245 mm to " in done.out
     )
-    trajectory = pam.Trajectory.from_csv(Path("out.csv"))
+    trajectory = read_trajectory(Path("out.csv"))
     assert trajectory.time[-1] == 0.3 and trajectory["muscle.load.v"].max() > 0
     assert Path("out.png").read_bytes().startswith(b"\x89PNG")
     again = command("couple system.ssp --stop-time '300 ms' --tolerance 1e-4 -o again.csv")
     assert again.status == 0 and "rollbacks" in again.out
-    other = pam.Trajectory.from_csv(Path("again.csv"))
+    other = read_trajectory(Path("again.csv"))
     assert other["muscle.x"][-1] == pytest.approx(trajectory["muscle.x"][-1], abs=1e-4)
 
 
@@ -81,7 +81,7 @@ def test_controller_that_raises_leaves_what_was_reached(command: Run, system: Pa
         in done.err
     )
     assert "written: out.csv" in done.err and "Traceback" not in done.err
-    assert pam.Trajectory.from_csv(Path("out.csv")).time[-1] == pytest.approx(0.12)
+    assert read_trajectory(Path("out.csv")).time[-1] == pytest.approx(0.12)
 
 
 def test_fmu_that_fails_has_status_1_and_leaves_what_was_reached(command: Run, place: Path) -> None:
@@ -97,7 +97,7 @@ def test_fmu_that_fails_has_status_1_and_leaves_what_was_reached(command: Run, p
         and "level too high" in done.err
         and "coupled up to" in done.err
     )
-    assert pam.Trajectory.from_csv(Path("out.csv"))["a.y"].max() == pytest.approx(0.5, abs=0.11)
+    assert read_trajectory(Path("out.csv"))["a.y"].max() == pytest.approx(0.5, abs=0.11)
 
 
 @pytest.mark.parametrize(
@@ -146,4 +146,4 @@ def test_example_runs(command: Run, place: Path) -> None:
     example = Path(__file__).parents[2] / "examples/co-simulation/isotonic.toml"
     done = command("couple", example, "--adaptive", "-o", "out.csv")
     assert done.status == 0, done.err
-    assert pam.Trajectory.from_csv(Path("out.csv"))["muscle.x"].max() > 0.015
+    assert read_trajectory(Path("out.csv"))["muscle.x"].max() > 0.015

@@ -17,6 +17,7 @@ from tests.cli.conftest import Outcome, everything
 from tests.cli.test_bad_input import refused
 from tests.cli.test_commands import done, rows
 from tests.fmu import models
+from tests.trajectories import read_trajectory
 
 Command = Callable[..., Outcome]
 BENCH = "TankFilling"
@@ -59,7 +60,7 @@ def test_set_with_a_unit(command: Command, place: Path) -> None:
             "simulate", BENCH, "--set", "p_supply=138e3", "--set", "tank.V=0.35e-3", "-o", "s.csv"
         )
     )
-    text, number = (pam.Trajectory.from_csv(place / name)["p"] for name in ("t.csv", "s.csv"))
+    text, number = (read_trajectory(place / name)["p"] for name in ("t.csv", "s.csv"))
     assert text == pytest.approx(number, rel=1e-9)
 
 

@@ -17,6 +17,7 @@ from pam_cosim.errors import InputError
 from tests.cosimulation.systems import CUT, error, gain, halves, thirds, written
 from tests.fmu import models
 from tests.simulation.misbehaving import patched, repacked
+from tests.trajectories import read_trajectory
 
 ROOT = Path(__file__).parents[2]
 STEP = "pam_core *core = &c->core;"
@@ -398,4 +399,4 @@ def test_example_runs(tmp_path: Path) -> None:
     )
     assert done.returncode == 0, done.stderr
     assert done.stdout.count("the load is at 16.35 mm") == 2  # fixed and chosen steps agree
-    assert pam.Trajectory.from_csv(table)["lift.u_in"].max() <= 350
+    assert read_trajectory(table)["lift.u_in"].max() <= 350

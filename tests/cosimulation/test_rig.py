@@ -13,6 +13,7 @@ import pam_cosim as pam
 from pam_cosim.errors import InputError, SimulationFailure
 from tests.simulation.misbehaving import hanging, patched
 from tests.tiers import quick
+from tests.trajectories import read_trajectory
 
 ROOT = Path(__file__).parents[2]
 STEP = "pam_core *core = &c->core;"
@@ -141,4 +142,4 @@ def test_example_runs(tmp_path: Path) -> None:
     )
     assert done.returncode == 0, done.stderr
     assert "valves shut: p = " in done.stdout
-    assert pam.Trajectory.from_csv(table)["x"].max() > 0.03
+    assert read_trajectory(table)["x"].max() > 0.03

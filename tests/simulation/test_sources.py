@@ -14,6 +14,7 @@ import pam_cosim as pam
 from pam_cosim.measurement import rows_of
 from pam_cosim.study.input_sources import inputs_of
 from pam_cosim.study.runs import _input_series
+from tests.trajectories import read_trajectory
 
 BENCH = "TankFilling"
 TIME = np.array([0.0, 1.0, 1.0, 3.0])
@@ -147,9 +148,7 @@ def test_a_run_goes_elsewhere(reference: pam.Trajectory, tmp_path: Path) -> None
     assert np.array_equal(
         pandas.read_parquet(reference.save(tmp_path / "r.parquet"))["p [Pa]"], reference["p"]
     )
-    assert np.array_equal(
-        pam.Trajectory.from_csv(reference.save(tmp_path / "r.csv"))["p"], reference["p"]
-    )
+    assert np.array_equal(read_trajectory(reference.save(tmp_path / "r.csv"))["p"], reference["p"])
     pam.draw(reference, tmp_path / "r.png")
     assert (
         str(reference).startswith("2 signals at ") and "<pre>2 signals" in reference._repr_html_()

@@ -5,10 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-import pytest
 
-from pam_cosim.errors import InputError
 from pam_cosim.simulation import Trajectory
+from tests.trajectories import read_trajectory
 
 TRAJECTORY = Trajectory(
     np.array([0.0, 0.1, 1 / 3]),
@@ -24,25 +23,8 @@ TRAJECTORY = Trajectory(
 def test_csv_reads_back_exactly(tmp_path: Path) -> None:
     path = TRAJECTORY.to_csv(tmp_path / "x.csv")
     assert path.read_text().splitlines()[0] == 'time [s],p [Pa],"a[1,2] [W/(m2.K)]",eps'
-    back = Trajectory.from_csv(path)
+    back = read_trajectory(path)
     assert back.time.tolist() == TRAJECTORY.time.tolist() and back.units == TRAJECTORY.units
     assert {k: v.tolist() for k, v in back.values.items()} == {
         k: v.tolist() for k, v in TRAJECTORY.values.items()
     }
-
-
-@pytest.mark.parametrize(
-    ("text", "place"),
-    [
-        ("", "x.csv:1"),
-        ("p [Pa]\n1\n", "x.csv:1"),
-        ("time [s],p\n1\n", "x.csv:2"),
-        ("time [s],p\n1,2\n1,b\n", "x.csv:3"),
-    ],
-)
-def test_faulty_files_are_named(tmp_path: Path, text: str, place: str) -> None:
-    path = tmp_path / "x.csv"
-    path.write_text(text)
-    with pytest.raises(InputError) as caught:
-        Trajectory.from_csv(path)
-    assert place in str(caught.value)
