@@ -334,6 +334,8 @@ class Simulator:
             self._renew()
             outcome = drive()
         self._used = True
+        if outcome.ended:  # some remember it when they are reset
+            self._renew()
         return outcome
 
     def _check_end(

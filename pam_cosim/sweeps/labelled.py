@@ -35,10 +35,7 @@ def columns_of(sweep: Sweep) -> dict[str, Any]:
 
 def units_of(sweep: Sweep) -> dict[str, str]:
     """The units of ``columns_of``, and of the outputs."""
-    return {
-        axis_name(sweep, name) if name in sweep.design.units else name: unit
-        for name, unit in sweep.units.items()
-    }
+    return sweep.units | {axis_name(sweep, name): u for name, u in sweep.design.units.items()}
 
 
 def frame(sweep: Sweep) -> pandas.DataFrame:

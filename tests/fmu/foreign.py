@@ -57,7 +57,7 @@ static int say(M *m, int status, const char *message);
 static void outputs(M *m) { %(outputs)s }
 static double rate(M *m) { return %(rate)s; }
 static int step(M *m, double h) { %(step)s; m->time += h; return m->ended ? 2 : 0; }
-static M *fresh(M *m) { memcpy(m->v, START, sizeof START); strcpy(m->text, "none"); m->time = m->ended = 0; return m; }
+static M *fresh(M *m) { memcpy(m->v, START, sizeof START); strcpy(m->text, "none"); m->time = 0; return m; }
 """
 _VALUES = """
 EXPORT int fmi%(fmi)dSet%(type)s(M *m, const unsigned *r, size_t n, const %(c)s *x%(count)s) {

@@ -208,7 +208,8 @@ def _linkable(folder: Path) -> None:
         files = [
             f for n in needed for f in (v for k, v in found.items() if k.startswith(f"lib{n}.so."))
         ]
-        (folder / f"lib{name}.so").write_text(f"INPUT({' '.join(files)})\n")
+        if files:
+            (folder / f"lib{name}.so").write_text(f"INPUT({' '.join(files)})\n")
 
 
 def test_openmodelica_imports_and_simulates_it(tmp_path: Path) -> None:

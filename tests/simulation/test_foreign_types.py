@@ -135,6 +135,10 @@ def test_an_fmu_that_ends_the_simulation(fmi: int, kind: str, tmp_path: Path) ->
         pytest.raises(SimulationFailure, match="ends the simulation"),
     ):
         simulator.run([0.0, 0.3, 0.6, 0.9])
+    swept = pam.sweep(
+        path, {"end": [0.42, 2.0]}
+    )  # the FMU keeps that it has ended when it is reset
+    assert ["ends the simulation" in one for one in swept.table.failures()] == [True, False]
     if kind == "CoSimulation":
         with pytest.raises(SimulationFailure, match="'a' .* failed: the FMU ends the simulation"):
             pam.couple({"a": path}, []).simulate(1.0, step=0.1)
@@ -444,3 +448,11 @@ def test_signs_and_zeros_of_an_fmu_are_its_own(tmp_path: Path) -> None:
     pam.new(tmp_path / "d", [tmp_path / "r.csv"], model=str(path))
     compared = pam.compare(pam.read(tmp_path / "d"))
     assert all(score.nrmse < 1e-3 for score in compared.scores["fit"].values())
+
+
+def test_a_table_of_start_values_that_are_outputs(tmp_path: Path) -> None:
+    scalars = [Scalar("x", "Real", "output", "1"), Scalar("der(x)", "Real", "local")]
+    path = foreign(tmp_path / "x.fmu", 2, scalars, step="$x *= exp(-h)", rate="-$x", interval=0.5)
+    pam.sweep(path, {"x": [1.0, 2.0]}).save(tmp_path / "s.csv")
+    rows = (tmp_path / "s.csv").read_text().splitlines()
+    assert rows[0] == "start of x [1],time [s],x [1],failure" and rows[4] == "2.0,0.0,2.0,"
