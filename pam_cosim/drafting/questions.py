@@ -13,6 +13,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.benches import NO_PRESSURE
 from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn, scaling
+from pam_cosim.drafting.data_sheets import EXAMPLES
 from pam_cosim.drafting.document import Draft
 from pam_cosim.drafting.entries import ABSOLUTE_GAUGE, LONGEST, SENSES, ColumnEntry, readings_of
 from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, Meaning, meant
@@ -243,9 +244,8 @@ def _valve_data(made: Draft) -> Iterator[str]:
     ]
     if names:
         yield (
-            f"flow area of the valves: {listed(names)} is free; where a data sheet tells the area at a current, state "
-            "it under [parameters], and an offset current as a formula of the input, as in u_in = { formula = "
-            '"\'I_in\' - \\"20 mA\\"" }'
+            f"flow area of the valves: {listed(names)} is free; where a data sheet tells the area or the nominal flow "
+            f"at an input, say {EXAMPLES}"
         )
 
 
