@@ -14,7 +14,7 @@ from pam_cosim.catalogue.bench_parts import rig_parts
 from pam_cosim.catalogue.composed_bench import compose_bench
 from pam_cosim.catalogue.ports import Ports, ports
 from pam_cosim.compiler import ClassTree
-from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn, with_usual_unit
+from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn
 from pam_cosim.drafting.evidence import DraftRequests, Evidence, used_in
 from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, Headings, Meaning, alike, muscle_in
 from pam_cosim.drafting.shapes import LEAST_CORRELATION, correlation, span
@@ -396,10 +396,10 @@ def _as_variable(column: RecordedColumn, variable: Variable, headings: Headings)
         return bare
     if column.unit and alike(column.unit, variable.unit):
         return column
-    if meaning is not None:
-        guessed = with_usual_unit(replace(bare, meaning=meaning), headings)
-        if guessed.unit and alike(guessed.unit, variable.unit):
-            return guessed
+    usual = headings.usual_unit(str(meaning), column.largest) if meaning is not None else None
+    if usual and alike(usual, variable.unit):
+        why = f"{NO_UNIT}; numbers up to {column.largest:.4g} are taken as {usual}"
+        return bare.because(why, unit=usual)
     return bare.because(
         f"{NO_UNIT}; it is taken as the model's, {variable.unit}", unit=variable.unit
     )

@@ -1,4 +1,4 @@
-"""Recordings of thirteen invented laboratories, each with what it holds: a table, made by a seeded script.
+"""Recordings of invented laboratories and ten loggers, each with what it holds: a table, made by a seeded script.
 
 The signals are those of ``labs``: of another form than the library's, with noise. A case is one recording, or a few of
 one rig, as a logger writes them; ``truth`` has the signals of the first run under the names of the bench [SI], and
