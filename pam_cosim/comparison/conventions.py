@@ -152,9 +152,10 @@ def _unexplained(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -
             products += both @ both.T
             variance += len(measured) * float(np.var(measured))
         if variance:
-            size = np.clip(products[0, 1] / max(products[1, 1], 1e-300), *_SIZES)
+            size = np.clip(products[0, 1] / (products[1, 1] or 1.0), *_SIZES)
             far = (math.log(size) / math.log(_SIZES[1])) ** 2
-            left = float(products[0] @ [1.0, -size] - size * (products[1] @ [1.0, -size]))
+            scales = np.array([1.0, -size])
+            left = float(scales @ products @ scales)
             shares.append(min(left / variance + _PRICE_OF_SIZE * far, _MOST_UNEXPLAINED))
     return sum(shares) / max(len(shares) - 1, 1)
 
@@ -357,7 +358,7 @@ def _of_inputs(
             changed = list(evaluate(_changed(tried, change)))
         except SimulationFailure:
             continue
-        if _unexplained(changed, signals) < min(share, 1.0):
+        if _unexplained(changed, signals) < share:
             chi2 = _chi2(changed, signals)
             text = f"{words}: chi-square {chi2:.3g} against {chi2_before:.3g}; put it right under [columns]"
             likely.append(Convention(name, text, _changed(data, change), chi2, chi2_before))

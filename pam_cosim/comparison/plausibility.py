@@ -157,7 +157,7 @@ def _unusual(
     for name, ends in farthest.items():
         low, high = limits[units[name]]
         if not any(low <= end <= high for end, _ in ends):
-            end, run_name = max(ends, key=lambda one: max(low - one[0], one[0] - high))
+            end, run_name = ends[0]
             number, least, most = (format_quantity(v, units[name]) for v in (end, low, high))
             yield Doubt(
                 "unusual",

@@ -90,7 +90,7 @@ def date_time(cell: str) -> datetime | None:
             return datetime.fromisoformat(cell)
         numbers = [int(match[name] or 1) for name in ("year", "month", "day")]
         numbers += [int(match[name]) for name in ("hour", "minute", "second")]
-        return datetime(*numbers, int(f"{match['fraction'] or 0:0<6}"))  # type: ignore[arg-type]
+        return datetime(*numbers, int(f"{match['fraction'] or 0:0<6}"))  # type: ignore[arg-type, call-arg]
     except ValueError:
         return None
 
