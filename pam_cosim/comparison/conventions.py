@@ -155,7 +155,7 @@ def _unexplained(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -
             size = np.clip(products[0, 1] / (products[1, 1] or 1.0), *_SIZES)
             far = (math.log(size) / math.log(_SIZES[1])) ** 2
             scales = np.array([1.0, -size])
-            left = float(scales @ products @ scales)
+            left = scales @ products @ scales
             shares.append(min(left / variance + _PRICE_OF_SIZE * far, _MOST_UNEXPLAINED))
     return sum(shares) / max(len(shares) - 1, 1)
 
