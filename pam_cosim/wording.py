@@ -81,12 +81,12 @@ def closest(name: str, candidates: Iterable[str], most: int = 1) -> list[str]:
     """
     folded = {candidate.casefold(): candidate for candidate in candidates}
     wanted = name[:_LONGEST].casefold()
-    longer = sorted((candidate for candidate in folded if _has_parts(wanted, candidate)), key=len)
+    longer = sorted((candidate for candidate in folded if has_parts(wanted, candidate)), key=len)
     alike = get_close_matches(wanted, list(folded), n=most, cutoff=_ALIKE)
     return [folded[candidate] for candidate in dict.fromkeys([*longer, *alike])][:most]
 
 
-def _has_parts(name: str, longer: str) -> bool:
+def has_parts(name: str, longer: str) -> bool:
     """Whether the parts of a name, between dots, are among those of a longer one in their order."""
     parts = iter(longer.split("."))
     return all(part in parts for part in name.split("."))

@@ -61,6 +61,13 @@ record Vocabulary "How people of this field call what they record: words, usual 
     {"up", "inflat =up =u =auf aufwarts =rise rising increas load belast beluft press fill contract =hin hinhub mont "
     + "gonfl =forward =in"}}
     "Words for the way in which a muscle went; those of the first row come before those of the second";
+  constant String data_sheets[:, 5] = {
+    {"C_A", "m2", "A", "1.80e-6 m2/A", "0.145 A"},
+    {"C_A", "m2", "1", "1e-5 m2", ""}}
+    "A parameter, unit of what data sheets tell, unit of the input, what an input of one opens where the parameter is one, "
+    + "and the input at which it begins to open; without that, what the largest input opens";
+  constant String nominal[:, 3] = {{"m3/s", "m2", "9.97e-4 s/m"}}
+    "What data sheets tell instead of it: a flow at 20 degC and 1 bar, from 6 to 5 bar gauge, without friction";
   constant String calibrated[:] = {"calibration", "effective area", "discharge coefficient",
     "pressure lost per mass flow", "time constant", "polytropic", "film coefficient"}
     "Parameters that nobody measures, by words of their descriptions: a fit tells them";

@@ -129,6 +129,8 @@ _ROWS = {
     "roles": 3,
     "units": 2,
     "sure": 2,
+    "data_sheets": 5,
+    "nominal": 3,
     "directions": 2,
     "calibrated": 0,
     "uncertain": 0,
@@ -141,6 +143,7 @@ _FORMS = {
     2: "rows of 2 texts",
     3: "rows of 3 texts",
     4: "rows of 4 texts",
+    5: "rows of 5 texts",
 }
 
 

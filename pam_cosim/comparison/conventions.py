@@ -50,8 +50,16 @@ _ZEROS = {
     "K": (273.15, "degrees Celsius and kelvin mixed up"),
 }
 
-_APART = 20  # samples, over which a change is more than noise
-_AGAINST, _WITH = -0.3, 0.5  # correlations of changes: no signal moves as the model does; one does
+_SIZES = (
+    0.125,
+    8.0,
+)  # by which the motion of a model that nobody calibrated may be too large or too small
+_PRICE_OF_SIZE = 0.05  # share of the variance, that the largest of these sizes costs
+_MOST_UNEXPLAINED = (
+    2.0  # share of a signal's variance, beyond which it is all the same how far a model is off
+)
+_NEGLIGIBLE = 0.02  # share of the variance that noise and small effects may leave
+_EXPLAINED = 0.4  # of the share that the recording as it is read leaves: a convention leaves less
 
 Evaluate = Callable[[DataSet], Sequence[RunComparison]]
 """Simulates the runs of a data set."""
@@ -110,13 +118,7 @@ def likely_convention(
 
 def _chi2(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> float:
     """Mean square of all residuals in standard deviations of the noise."""
-    every = [
-        one
-        for n in signals
-        for r in runs
-        if n in r.run.measurements
-        for one in [_scaled(r, signals[n])]
-    ]
+    every = [_scaled(r, signals[n]) for n in signals for r in runs if n in r.run.measurements]
     residuals = np.concatenate(every or [np.zeros(1)])
     return float(np.nanmean(residuals**2))
 
@@ -129,27 +131,33 @@ def _scaled(run: RunComparison, signal: Signal) -> Array:
 def _explains_little(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> bool:
     """Whether a model misses some signal by much of what that moves."""
     for name in signals:
-        read = [r for r in runs if r.run.sample_count(name)]
-        error = [r.residual(name) for r in read]
-        moves = [r.run.measurements[name] - np.nanmean(r.run.measurements[name]) for r in read]
-        if read and _rms(np.concatenate(error)) > _LARGE_ERROR * _rms(np.concatenate(moves)):
+        read = [r.at_samples(name) for r in runs if r.run.sample_count(name)]
+        variance = sum(len(measured) * float(np.var(measured)) for _, _, measured in read)
+        if sum(float(error @ error) for _, error, _ in read) > _LARGE_ERROR**2 * variance:
             return True
     return False
 
 
-def _together(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> float:
-    """The largest correlation of the changes of a signal, over some samples, with those in the model, from -1 to 1."""
-    largest = -1.0
+def _unexplained(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> float:
+    """The share of the variance of the readings that the model leaves, of whatever size its motion is.
+
+    Nobody may have calibrated the valves: the model's motion from its start is scaled as fits best within ``_SIZES``.
+    """
+    shares = [0.0]
     for name in signals:
-        products = np.zeros(3)
+        variance, products = 0.0, np.zeros((2, 2))  # of readings and motion
         for r in (r for r in runs if r.run.sample_count(name)):
-            both = np.array([r.run.measurements[name], r.model[name]])
-            both = both[:, np.isfinite(both[0])]
-            measured, modelled = both[:, _APART:] - both[:, :-_APART]
-            products += measured @ modelled, measured @ measured, modelled @ modelled
-        if products[1:].all():
-            largest = max(largest, float(products[0] / math.sqrt(products[1] * products[2])))
-    return largest
+            kept, _, measured = r.at_samples(name)
+            both = np.array([measured, r.model[name][kept]]) - r.model[name][kept][0]
+            products += both @ both.T
+            variance += len(measured) * float(np.var(measured))
+        if variance:
+            size = np.clip(products[0, 1] / (products[1, 1] or 1.0), *_SIZES)
+            far = (math.log(size) / math.log(_SIZES[1])) ** 2
+            scales = np.array([1.0, -size])
+            left = scales @ products @ scales
+            shares.append(min(left / variance + _PRICE_OF_SIZE * far, _MOST_UNEXPLAINED))
+    return sum(shares) / max(len(shares) - 1, 1)
 
 
 def _rms(values: Array) -> float:
@@ -337,28 +345,24 @@ def _of_inputs(
     units: Mapping[str, str],
     evaluate: Evaluate,
 ) -> Convention | None:
-    """Of inputs that are swapped, absolute, of another sign or ten times as large, the one that explains an error."""
-    before, together = _chi2(runs, signals), _together(runs, signals)
-    found: list[Convention] = []
+    """Of inputs that are swapped, absolute, of another sign or ten times as large, the one that explains an error.
+
+    With it the readings follow the model, up to their size, where they do far less without it; of several such
+    conventions it is the one with the smallest misfit.
+    """
+    chi2_before = _chi2(runs, signals)
+    share = _EXPLAINED * (_unexplained(runs, signals) + _NEGLIGIBLE) - _NEGLIGIBLE
+    likely: list[Convention] = []
     for name, words, change in _changes(tried.runs[0], units):
         try:
             changed = list(evaluate(_changed(tried, change)))
         except SimulationFailure:
             continue
-        after = _chi2(changed, signals)
-        explains = after < _REMAINING_ERROR**2 * before and not _explains_little(changed, signals)
-        # Whatever the size of a valve that nobody calibrated: where it fills, the other would empty.
-        moved = _together(changed, signals) if name in ("swapped", "sign") else -1.0
-        figures = f"chi-square {after:.3g} against {before:.3g}"
-        if not explains and together < _AGAINST and moved > _WITH:
-            explains = True
-            figures = (
-                f"changes go with it (correlation {moved:.2f}), and not against it ({together:.2f})"
-            )
-        if explains:
-            text = f"{words}: {figures}; put it right under [columns]"
-            found.append(Convention(name, text, _changed(data, change), after, before))
-    return min(found, key=lambda one: one.chi2, default=None)
+        if _unexplained(changed, signals) < share:
+            chi2 = _chi2(changed, signals)
+            text = f"{words}: chi-square {chi2:.3g} against {chi2_before:.3g}; put it right under [columns]"
+            likely.append(Convention(name, text, _changed(data, change), chi2, chi2_before))
+    return min(likely, key=lambda one: one.chi2, default=None)
 
 
 _Change = Callable[[Run], Run]

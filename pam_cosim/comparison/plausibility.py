@@ -145,7 +145,7 @@ def _unusual(
 ) -> Iterator[Doubt]:
     """Inputs, signals and durations that leave in every run what is usual in the field."""
     limits = {unit: (float(low), float(high)) for unit, low, high in ranges}
-    farthest: dict[str, list[float]] = {}
+    farthest: dict[str, list[tuple[float, str]]] = {}
     for run in (r.run for r in runs if not r.run.is_static):
         duration = np.array([np.ptp(run.time)])
         for name, values in {"duration": duration, **run.inputs, **run.measurements}.items():
@@ -153,15 +153,16 @@ def _unusual(
             if len(there) and units.get(name) in limits:
                 low, high = limits[units[name]]
                 far = there[np.argmax(np.maximum(low - there, there - high))]
-                farthest.setdefault(name, []).append(float(far))
-    for name, numbers in farthest.items():
+                farthest.setdefault(name, []).append((float(far), run.name))
+    for name, ends in farthest.items():
         low, high = limits[units[name]]
-        if not any(low <= number <= high for number in numbers):
-            number, least, most = (format_quantity(v, units[name]) for v in (numbers[0], low, high))
+        if not any(low <= end <= high for end, _ in ends):
+            end, run_name = ends[0]
+            number, least, most = (format_quantity(v, units[name]) for v in (end, low, high))
             yield Doubt(
                 "unusual",
                 name if name != "duration" else "",
-                f"{name}: {number} in {runs[0].run.name}, and outside {least} to {most} in every run, which is usual: "
+                f"{name}: {number} in {run_name}, and outside {least} to {most} in every run, which is usual: "
                 "is it the unit, the zero, or the column?",
             )
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -14,7 +14,7 @@ from pam_cosim.catalogue.bench_parts import rig_parts
 from pam_cosim.catalogue.composed_bench import compose_bench
 from pam_cosim.catalogue.ports import Ports, ports
 from pam_cosim.compiler import ClassTree
-from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn, with_usual_unit
+from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn
 from pam_cosim.drafting.evidence import DraftRequests, Evidence, used_in
 from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, Headings, Meaning, alike, muscle_in
 from pam_cosim.drafting.shapes import LEAST_CORRELATION, correlation, span
@@ -136,8 +136,9 @@ def take_bench(
     said = [wishes.muscle] if wishes.muscle else [_label(source) for source in evidence.sources]
     told, length = ("", "") if wishes.model and not wishes.muscle else muscle_in(said, muscles)
     muscle = told or wishes.muscle
+    needed = muscle or _part_with(evidence.stated, tree)
     ready = [one for one in (_suited(p, evidence.points) for p in ports(tree)) if one is not None]
-    candidates = _candidates(_possible(ready, evidence, tree), wishes.model, muscle, evidence)
+    candidates = _candidates(_possible(ready, evidence, tree), wishes.model, needed, evidence)
     choice = _choose(candidates, evidence)
     why = "" if wishes.model else _why(choice)
     if not choice.ports.parts:
@@ -145,14 +146,41 @@ def take_bench(
     feed, hold = choice.ports.parts
     outputs = [one for one in choice.ports.outputs if one not in choice.ports.inputs]
     measure = [one for one in outputs if one in choice.outputs or one in evidence.formulas]
-    text = compose_bench(tree, feed, hold, muscle, measure, name, evidence.points).text
+    text = compose_bench(tree, feed, hold, needed, measure, name, evidence.points).text
     (place / f"{name}.mo").write_text(text, encoding="utf-8", newline="\n")
     origin = f"{name}.mo was put together from {choice.ports.name}"
     if told and not wishes.muscle:
         origin = f"{origin}, with the muscle {told}, of which the files or their names tell"
+    if needed and not muscle:
+        origin = f"{origin}, with the muscle {needed}, which has the parameters that are stated"
     why = f"{why}. {origin}" if why else origin
     made = describe(str(place / f"{name}.mo"))
     return Bench(choice, f"{name}.mo", made, why, muscle or "", length, True)
+
+
+def _part_with(stated: Iterable[str], tree: ClassTree) -> str | None:
+    """The muscle nearest to the usual one that has the stated parameters; None: the usual one, or none, has them."""
+    muscles = [part for part in rig_parts(tree) if part.role == "muscle"]
+    usual = next((part for part in muscles if part.usual), None)
+    if usual is None:
+        return None
+    begin = f"{usual.component_name}."
+    wanted = {name.rpartition(".")[2] for name in stated if name.startswith(begin)}
+    able = [
+        part
+        for part in muscles
+        if usual.qualified_name in (part.qualified_name, *tree.bases(part.qualified_name))
+        and wanted <= _parameters_of(part.qualified_name, tree)
+    ]
+    nearest = min(able, key=lambda part: len(tree.bases(part.qualified_name)), default=usual)
+    return None if nearest.usual else nearest.name
+
+
+def _parameters_of(name: str, tree: ClassTree) -> set[str]:
+    """Parameters of a class and of its records, by their last names."""
+    own = [c for c in tree.components(name) if "protected" not in c.prefixes]
+    within = (c for one in own if one.type in tree.classes for c in tree.components(one.type))
+    return {c.name for c in (*own, *within)}
 
 
 def _label(source: object) -> str:
@@ -368,10 +396,10 @@ def _as_variable(column: RecordedColumn, variable: Variable, headings: Headings)
         return bare
     if column.unit and alike(column.unit, variable.unit):
         return column
-    if meaning is not None:
-        guessed = with_usual_unit(replace(bare, meaning=meaning), headings)
-        if guessed.unit and alike(guessed.unit, variable.unit):
-            return guessed
+    usual = headings.usual_unit(str(meaning), column.largest) if meaning is not None else None
+    if usual and alike(usual, variable.unit):
+        why = f"{NO_UNIT}; numbers up to {column.largest:.4g} are taken as {usual}"
+        return bare.because(why, unit=usual)
     return bare.because(
         f"{NO_UNIT}; it is taken as the model's, {variable.unit}", unit=variable.unit
     )

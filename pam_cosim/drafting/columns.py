@@ -97,6 +97,11 @@ class RecordedColumn:
         return bool(_REFERABLE.fullmatch(self.name)) and (self.stated or not written)
 
     @property
+    def term(self) -> str:
+        """The column in a formula, with the unit that is guessed."""
+        return f"'{self.name}'" + (f' * "1 {self.unit}"' if self.unit and not self.stated else "")
+
+    @property
     def since(self) -> str:
         """The first of its dates with times of day, from which its numbers count; "" where it holds none."""
         return next((column.since for column in self.places.values()), "")

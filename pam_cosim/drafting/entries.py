@@ -12,6 +12,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.benches import NO_PRESSURE, BenchChoice
 from pam_cosim.drafting.columns import RecordedColumn
+from pam_cosim.drafting.data_sheets import Scale, valve_inputs
 from pam_cosim.drafting.evidence import Evidence
 from pam_cosim.drafting.headings import GRAVITY, Headings, Meaning, alike, meant
 from pam_cosim.drafting.shapes import (
@@ -88,10 +89,13 @@ class Mapped:
     runs: tuple[MappedRun, ...]
 
 
-def map_columns(choice: BenchChoice, interface: Interface, evidence: Evidence) -> Mapped:
+def map_columns(
+    choice: BenchChoice, interface: Interface, evidence: Evidence, valve: Scale | None = None
+) -> Mapped:
     """Entries for what is named, signed, scaled or zeroed otherwise than the bench has it.
 
-    What the user states as a formula stays as it is; of a column that the user names, the sign too.
+    What the user states as a formula stays as it is; of a column that the user names, the sign too. A ``valve`` of a
+    data sheet scales the inputs that open it.
     """
     headings, variables = evidence.headings, {**interface.inputs, **interface.outputs}
     meanings = {name: headings.variable(variable) for name, variable in variables.items()}
@@ -101,6 +105,10 @@ def map_columns(choice: BenchChoice, interface: Interface, evidence: Evidence) -
         entries["time"] = ColumnEntry("time", time.name, _unit_to_state(time), why=time.why)
     values: dict[str, dict[int, Array]] = {}
     for name, column in choice.fed.items():
+        if valve is not None and name in valve_inputs(interface, headings):
+            formula, values[name] = valve.entry(name, column)
+            entries[name] = ColumnEntry(name, formula=formula, why=column.why)
+            continue
         entries[name], values[name] = _named(name, column, variables[name], interface, evidence)
     for name, formula in evidence.formulas.items():
         entries[name] = ColumnEntry(name, formula=formula)
@@ -246,9 +254,7 @@ def scaled(
     """The entry of a column times a gain, plus an offset: as a formula, where one can hold the column."""
     if not column.readable:
         return ColumnEntry(name, column.name, column.unit, gain=gain or "1", offset=offset, why=why)
-    term = f"'{column.name}'"
-    if not column.stated and column.unit:
-        term += f' * "1 {column.unit}"'
+    term = column.term
     if gain == "-1":
         formula = f'"{offset}" - {term}' if offset else f"-{term}"
     else:

@@ -38,6 +38,7 @@ class DraftRequests:
     recording: Mapping[str, object] | None = None
     muscle: str | None = None
     roles: Mapping[str, str] | None = None
+    valve: str | None = None
 
 
 @dataclass(frozen=True)

@@ -185,6 +185,7 @@ class Headings:
                 stated, written_unit = "", stated
         # Of a path, ``Model Root/ADC/p``, the last part says what it is, if it says anything.
         parts = [[folded(w) for w in split_words(part)] for part in re.split(r"[/\\|.]", name)]
+        parts = [part for part in parts if part not in (["in"], ["out"])] or parts  # of a block
         if self._kinds_in(parts[-1]):
             parts = parts[::-1]
         small = [word for part in parts for word in part]

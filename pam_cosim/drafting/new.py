@@ -17,6 +17,7 @@ from pam_cosim.catalogue import vocabulary_of
 from pam_cosim.compiler import ClassTree
 from pam_cosim.drafting.benches import Bench, class_name, stated_interface, take_bench
 from pam_cosim.drafting.columns import RecordedColumn
+from pam_cosim.drafting.data_sheets import parameter_of, rating_of
 from pam_cosim.drafting.document import Draft, document
 from pam_cosim.drafting.entries import Mapped, map_columns, with_directions
 from pam_cosim.drafting.evidence import DraftRequests, Evidence, gather, used_in
@@ -48,6 +49,7 @@ from pam_cosim.drafting.values import (
     neutral,
     open_parameters,
     values_told,
+    with_full_names,
     with_length,
 )
 from pam_cosim.errors import InputError, SimulationFailure
@@ -106,7 +108,7 @@ def draft(
             evidence = replace(evidence, columns=tuple(with_directions(evidence.columns, headings)))
         wishes = replace(wishes, model=model)
         bench = take_bench(place, class_name(folder), wishes, interface, evidence, tree, describe)
-        evidence = with_length(evidence, bench)
+        evidence = with_length(with_full_names(evidence, bench.interface), bench)
         copy_of = dict(zip(files, _copies(files, place), strict=True))
         copy_of |= {
             s.file: _anew(s, copy_of[s.file], place) for s in evidence.sources if s.is_merged
@@ -131,9 +133,13 @@ def _draft(
     follows = {n: (v, zero) for n, v in following(evidence.stated, interface).items()}
     plain = "nobody names the muscle: its fibres have no friction and cover nothing, and an effect may say otherwise"
     follows |= {n: (v, plain) for n, v in neutral(evidence, bench).items() if n not in follows}
+    valve = None
+    if wishes.valve is not None:
+        name, value, valve = parameter_of(rating_of(wishes.valve), interface, headings)
+        follows[name] = value, f"the data sheet of the valve: {wishes.valve}"
     if evidence.points:
         check_imposed(choice.unfed, [{*evidence.stated, *own} for own in evidence.own], interface)
-    mapped = map_columns(choice, interface, evidence)
+    mapped = map_columns(choice, interface, evidence, valve)
     told = values_told(evidence, bench, mapped)
     guessed = _guessed_roles(bench, evidence, mapped, told)
     by_run = any(role.role == "holdout" for role in guessed) or bool(wishes.roles)

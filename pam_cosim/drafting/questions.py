@@ -13,8 +13,10 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.benches import NO_PRESSURE
 from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn, scaling
+from pam_cosim.drafting.data_sheets import EXAMPLES
 from pam_cosim.drafting.document import Draft, bounds
 from pam_cosim.drafting.entries import ABSOLUTE_GAUGE, LONGEST, SENSES, ColumnEntry, readings_of
+from pam_cosim.drafting.evidence import used_in
 from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, Meaning, meant
 from pam_cosim.drafting.shapes import begins_still, span
 from pam_cosim.drafting.values import is_geometry
@@ -174,6 +176,11 @@ def _meanings(made: Draft) -> dict[str, Meaning | None]:
     return {name: made.evidence.headings.variable(one) for name, one in variables.items()}
 
 
+def _used(made: Draft) -> set[str]:
+    """The columns that are read, be it in a formula."""
+    return {c.name for c in made.bench.choice.fed.values()} | used_in(made.evidence)
+
+
 def _what_holds_it(made: Draft) -> Iterator[str]:
     """Whether the load end hangs, is sprung or is held, where the recordings leave that open."""
     meanings, choice = _meanings(made), made.bench.choice
@@ -206,11 +213,7 @@ def _what_drives_it(made: Draft) -> Iterator[str]:
         description = made.interface.inputs[name].description
         hint = f"--parameter '{name}=...', --column {name}=..., or of each file --parameter {name}@FILE=..."
         yield f"no column and no line of the files tells the input {name} ({description}): {hint}"
-    volts = [
-        c
-        for c in made.evidence.columns
-        if c.kind == "voltage" and c not in made.bench.choice.fed.values()
-    ]
+    volts = [c for c in made.evidence.columns if c.kind == "voltage" and c.name not in _used(made)]
     for column in volts:
         roles = made.evidence.headings.roles_of(column.name)
         valve = "u_out" if "exhaust" in roles else "u_in" if "inlet" in roles else ""
@@ -218,7 +221,7 @@ def _what_drives_it(made: Draft) -> Iterator[str]:
         yield (
             f"{column.name} is a voltage and is not read: if it drives the rig, say what it commands, as in --column "
             f"{scaling(size[0], column.name, size[1])}, or the valve, as in --model 'proportional-pressure-valve and "
-            "hanging-load'"
+            f"hanging-load' --column {quote(f'u={column.name}')}"
         )
     pressure = [n for n, c in made.bench.choice.inputs.items() if c.of("pressure")]
     if pressure and made.points is None:
@@ -244,9 +247,8 @@ def _valve_data(made: Draft) -> Iterator[str]:
     ]
     if names:
         yield (
-            f"flow area of the valves: {listed(names)} is free; where a data sheet tells the area at a current, state "
-            "it under [parameters], and an offset current as a formula of the input, as in u_in = { formula = "
-            '"\'I_in\' - \\"20 mA\\"" }'
+            f"flow area of the valves: {listed(names)} is free; where a data sheet tells the area or the nominal flow "
+            f"at an input, say {EXAMPLES}"
         )
 
 
@@ -275,7 +277,7 @@ def _geometry(made: Draft) -> Iterator[str]:
 
 def _which_bench(made: Draft) -> Iterator[str]:
     if made.bench.why:
-        yield made.bench.why.removeprefix("guessed: ") + "; --model takes another"
+        yield made.bench.why.removeprefix("guessed: ") + "; for another, --model NAME"
 
 
 def _rows_at_rest(made: Draft) -> Iterator[str]:
@@ -408,10 +410,9 @@ def _absolute(made: Draft) -> Iterator[str]:
 
 def _angles(made: Draft) -> Iterator[str]:
     """Angles that are not read, as of a pulley; directions of which no word is known."""
-    used = made.bench.choice.fed.values()
-    lengths = any(c.kind in LENGTHS for c in used)
+    lengths = any(c.kind in LENGTHS for c in made.bench.choice.fed.values())
     for column in made.evidence.columns:
-        if column.kind == "angle" and not lengths and column not in used:
+        if column.kind == "angle" and not lengths and column.name not in _used(made):
             yield (
                 f"{column.name} is an angle: if the load hangs on a pulley, say its radius, as in --column "
                 f"{scaling('x', column.name, '20 mm/rad')}"

@@ -16,7 +16,7 @@ from pam_cosim.drafting.shapes import REST_BAND, is_constant, span
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, parse_quantity, readable_factor, readable_unit
-from pam_cosim.wording import listed
+from pam_cosim.wording import has_parts, listed
 
 _NOMINAL_TOLERANCE = 0.05  # of the nominal length: a longest length as near to it is that at rest
 _DATA_SHEET_TOLERANCE = 0.3  # of its value: bounds of a parameter of the fibres in a fit
@@ -56,6 +56,21 @@ def check_stated(stated: Mapping[str, str], interface: Interface) -> None:
         except UnitError as error:
             if name in variables:
                 raise InputError(f"--parameter {name}: {error}") from None
+
+
+def with_full_names(evidence: Evidence, interface: Interface) -> Evidence:
+    """With the one parameter that has all parts of a name in their order, where the bench has none of that name."""
+    settable = {**interface.parameters, **interface.inputs}
+
+    def full(name: str) -> str:
+        longer = [one for one in settable if name not in settable and has_parts(name, one)]
+        return longer[0] if len(longer) == 1 else name
+
+    return replace(
+        evidence,
+        stated={full(name): value for name, value in evidence.stated.items()},
+        own=tuple({full(n): value for n, value in run.items()} for run in evidence.own),
+    )
 
 
 def with_length(evidence: Evidence, bench: Bench) -> Evidence:

@@ -1,7 +1,8 @@
 """What a cell of a text table holds: a number, a number with a unit, a date with a time of day, a word of a switch.
 
-Dates are written as ISO 8601 has them: ``2024-03-12 14:05:00.01``, ``2024-03-12T14:05:00Z``. The words for the two
-states of a switch are those of controllers and their engineers.
+Dates are written as ISO 8601 has them, ``2024-03-12 14:05:00.01`` and ``2024-03-12T14:05:00Z``, or as
+``12.03.2024 14:05:00,01``; a time of day, ``14:05:00.01``, may stand alone. The words for the two states of a switch
+are those of controllers and their engineers.
 """
 
 from __future__ import annotations
@@ -15,18 +16,53 @@ from pam_cosim.measurement.table import is_unit
 from pam_cosim.model.interface import SWITCH_WORDS
 
 NUMBER = re.compile(r"[+-]?(\d+(?:[.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
+_BETWEEN_THOUSANDS = ",.'\u2019 \u00a0\u202f"
+_GROUPED = re.compile(
+    r"[+-]?[1-9]\d{0,2}(?:(?:,\d{3})+\.\d*|(?:\.\d{3})+,\d*|(?:,\d{3}){2,}|(?:\.\d{3}){2,}"
+    r"|(?:(?P<sign>['\u2019 \u00a0\u202f])\d{3})(?:(?P=sign)\d{3})*(?:[.,]\d*)?)",
+    re.ASCII,
+)
 _MEASURED = re.compile(rf"(?:{NUMBER.pattern})\s*(?P<unit>[A-Za-zµμ%°][^\s\d]*)", re.ASCII)
 EXAMPLE = "2024-03-12 14:05:00.01"
 _DATE_TIME = re.compile(
     r"\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d([.,]\d+)?)?(Z|[+-]\d\d(:?\d\d)?)?", re.ASCII
+)
+_CLOCK = re.compile(
+    r"(?:(?P<day>\d{1,2})\.(?P<month>\d{1,2})\.(?P<year>\d{4}) )?"
+    r"(?P<hour>\d{1,2}):(?P<minute>\d\d):(?P<second>\d\d)(?:[.,](?P<fraction>\d{1,6})\d*)?",
+    re.ASCII,
 )
 _TIME_OF_DAY = re.compile(r"(.*\D)?\d{1,2}:\d\d(:\d\d([.,]\d+)?)?(\D.*)?", re.ASCII)
 _DATE = re.compile(r"\d{1,2}([./-])\d{1,2}\1(\d{2}|\d{4})|\d{4}([./-])\d{1,2}\3\d{1,2}", re.ASCII)
 
 
 def is_number(cell: str) -> bool:
-    """Whether a cell can be read as a number: it is one, or a date with a time of day."""
-    return bool(NUMBER.fullmatch(cell)) or is_date_time(cell)
+    """Whether a cell can be read as a number: it is one, be it grouped by thousands, or a date with a time of day."""
+    return bool(NUMBER.fullmatch(cell) or _GROUPED.fullmatch(cell)) or is_date_time(cell)
+
+
+def decimal_sign_of(cell: str) -> str:
+    """The decimal sign of a number whose thousands are grouped by a point or a comma; "" where nothing tells."""
+    if not _GROUPED.fullmatch(cell) or not {",", "."}.intersection(cell):
+        return ""
+    last = "," if cell.rfind(",") > cell.rfind(".") else "."
+    return last if cell.count(last) == 1 else "." if last == "," else ","
+
+
+def grouping_sign(cells: Sequence[str]) -> str:
+    """The sign between thousands of the cells of a column; "" where they are not, or may not be, grouped.
+
+    ``1,234`` may have decimals; ``1,234.5`` and ``1,234,567`` do not.
+    """
+    for sign in _BETWEEN_THOUSANDS:
+        grouped = [cell for cell in cells if sign in cell]
+        other = {",": r"\.", ".": ","}.get(sign, "[.,]")
+        pattern = re.compile(
+            rf"[+-]?\d{{1,3}}(?:{re.escape(sign)}\d{{3}})+(?:{other}\d*)?", re.ASCII
+        )
+        if any(map(_GROUPED.fullmatch, grouped)) and all(map(pattern.fullmatch, grouped)):
+            return sign
+    return ""
 
 
 def is_date(cell: str) -> bool:
@@ -36,7 +72,7 @@ def is_date(cell: str) -> bool:
 
 def is_date_time(cell: str) -> bool:
     """Whether a cell is written so, be there such a day or not."""
-    return _DATE_TIME.fullmatch(cell) is not None
+    return (_DATE_TIME.fullmatch(cell) or _CLOCK.fullmatch(cell)) is not None
 
 
 def says_time_of_day(cell: str) -> bool:
@@ -45,11 +81,16 @@ def says_time_of_day(cell: str) -> bool:
 
 
 def date_time(cell: str) -> datetime | None:
-    """The date and time; None: it is not written so, or there is no such day."""
+    """The date and time, of a time of day alone that of the first day; None: it is not written so, or is impossible."""
     if not is_date_time(cell):
         return None
     try:
-        return datetime.fromisoformat(cell)
+        match = _CLOCK.fullmatch(cell)
+        if match is None:
+            return datetime.fromisoformat(cell)
+        numbers = [int(match[name] or 1) for name in ("year", "month", "day")]
+        numbers += [int(match[name]) for name in ("hour", "minute", "second")]
+        return datetime(*numbers, int(f"{match['fraction'] or 0:0<6}"))  # type: ignore[arg-type, call-arg]
     except ValueError:
         return None
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.hdf5_table import read_hdf5
 from pam_cosim.measurement.matlab_table import read_matlab
+from pam_cosim.measurement.numpy_table import read_numpy
 from pam_cosim.measurement.parquet_table import read_parquet
 from pam_cosim.measurement.table import Layout, Table, without_empty_end
 from pam_cosim.measurement.tdms_table import read_tdms
@@ -16,6 +17,7 @@ from pam_cosim.measurement.workbook import WORKBOOKS
 
 _READERS: dict[str, Callable[[Path, Layout], Table]] = {
     ".mat": read_matlab,
+    ".npz": read_numpy,
     ".h5": read_hdf5,
     ".hdf5": read_hdf5,
     ".hdf": read_hdf5,

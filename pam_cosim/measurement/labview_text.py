@@ -1,4 +1,4 @@
-"""The block above the rows of a text that LabVIEW writes (.lvm): units of the channels, one below the other's place."""
+"""The block above the rows of a text that LabVIEW (.lvm) or an oscilloscope writes: units of the channels."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ TIME = "x_value"
 """How LabVIEW heads its times, in small letters, again before each channel that has times of its own."""
 _FIRST = "LabVIEW Measurement"
 _END = "***End_of_Header***"
-_UNITS, _ALONG = "Y_Unit_Label", "X_Dimension"
+_UNITS, _ALONG, _HORIZONTAL = ("Y_Unit_Label", "Vertical Units"), "X_Dimension", "Horizontal Units"
 _START, _STEP = "X0", "Delta_X"
 _COMMENT = "Comment"
 
@@ -34,10 +34,12 @@ def units_above(above: Sequence[Row], count: int) -> list[str] | None:
     A channel's label may be a text of the programmer's; one that names no unit is passed over.
     """
     cells_by_key = {row.cells[0]: row.cells for row in above if row.cells}
-    if _UNITS not in cells_by_key:
+    key = next((key for key in _UNITS if key in cells_by_key), None)
+    if key is None:
         return None
     along = "s" if "Time" in cells_by_key.get(_ALONG, ()) else ""
-    units = [along, *(cell if is_unit(cell) else "" for cell in cells_by_key[_UNITS][1:])]
+    along = along or (cells_by_key.get(_HORIZONTAL, ["", ""])[1:] or [""])[0]
+    units = [cell if is_unit(cell) else "" for cell in [along, *cells_by_key[key][1:]]]
     return [*units, *[""] * count][:count]
 
 

@@ -1,4 +1,4 @@
-"""MATLAB's .mat files: vectors, the fields of a structure, or the columns of a matrix with stated names."""
+"""MATLAB's .mat files: vectors, the fields of a structure, or the columns of a matrix."""
 
 from __future__ import annotations
 
@@ -13,7 +13,15 @@ import numpy as np
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.hdf5_table import is_hdf5, read_hdf5
-from pam_cosim.measurement.table import Layout, Table, check_count, check_names, reading, table_of
+from pam_cosim.measurement.table import (
+    Layout,
+    Table,
+    check_count,
+    check_names,
+    is_unit,
+    reading,
+    table_of,
+)
 from pam_cosim.wording import did_you_mean, listed, shown
 
 _LABELS = ("label", "name")
@@ -158,15 +166,13 @@ def _described(value: Any) -> str:
 
 
 def _columns(chosen: Any, stated: Layout, file: Path) -> list[tuple[str, Any]]:
-    if _is_matrix(chosen) and stated.names:
-        wide = chosen.shape[0] == len(stated.names) != chosen.shape[1]  # a signal in each row
+    if _is_matrix(chosen):
+        count = len(stated.names) if stated.names else min(chosen.shape)
+        wide = chosen.shape[0] == count != chosen.shape[1]  # a signal in each row
         columns = chosen if wide else chosen.T
-        check_names(stated.names, len(columns), file)
-        return list(zip(stated.names, columns, strict=True))
-    if isinstance(chosen, np.ndarray) and chosen.ndim == 2:
-        raise InputError(
-            'the columns of a matrix need names under [recording]: names = ["time [s]", ...]', file
-        )
+        headings = stated.names or [f"signal {i + 1}" for i in range(len(columns))]
+        check_names(headings, len(columns), file)
+        return list(zip(headings, columns, strict=True))
     fields = [dict(chosen)] if isinstance(chosen, Mapping) else _structures(chosen)
     rows = {v.size for signal in fields for _, v in _places(signal) if _is_vector(v)}
     return _named([vector for structure in fields for vector in _vectors(structure, rows)])
@@ -190,6 +196,9 @@ def _vectors(
             fields = {n: v for n, v in fields.items() if n != name} | numbered
     vector_names = [name for name, value in fields.items() if _is_vector(np.asarray(value))]
     label = next((v for n, v in fields.items() if n.casefold() in _LABELS and _is_text(v)), None)
+    unit = fields.get("Unit", "")
+    if label and _is_text(unit) and is_unit(unit):
+        label = f"{label} [{unit}]"
     names = [label] if above and label and len(vector_names) == 1 else vector_names
     vectors = [((*above, name), fields[key]) for name, key in zip(names, vector_names, strict=True)]
     if len(vector_names) > 1:

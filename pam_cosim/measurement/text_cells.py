@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.cell_kinds import (
     date_time,
+    grouping_sign,
     is_date,
     seconds_between,
     unit_behind,
@@ -30,7 +31,16 @@ _LONGEST = 1000  # letters of a cell that is looked at as a number
 _NUMBER = re.compile(r"[+-]?(\d+(?:\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _NO_NUMBER = re.compile(r"[^0-9eE+\-.]")
 _GROUPED = re.compile(r"[+-]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?", re.ASCII)
+_DAY = 86_400.0  # s
 _NOT_FINITE = ("nan", "inf", "infinity")
+
+
+class _GroupedColumn(Exception):  # noqa: N818 -- it asks for another reading
+    """The numbers of a column are grouped by thousands, with that sign."""
+
+    def __init__(self, column: int, sign: str) -> None:
+        super().__init__(column)
+        self.column, self.sign = column, sign
 
 
 class Reader:
@@ -46,6 +56,7 @@ class Reader:
         self.clock: frozenset[int] | None = None  # places of columns of times; None: not known
         self.dates: dict[int, str] = {}  # places of columns of dates with times of day: the first
         self.units: dict[int, str] = {}  # by place, behind the number in every cell
+        self.grouped: dict[int, str] = {}  # by place, the sign between thousands
         self.met: dict[str, None] = {}
         self._lines: list[Line] = []
 
@@ -60,10 +71,18 @@ class Reader:
     def columns(self, lines: list[Line]) -> list[NDArray[np.float64]]:
         """(n,) of each column that is kept; NaN where a cell is empty."""
         self._lines = lines
-        blocks = [self._block(lines[at : at + _BLOCK]) for at in range(0, len(lines), _BLOCK)]
+        try:
+            blocks = [self._block(lines[at : at + _BLOCK]) for at in range(0, len(lines), _BLOCK)]
+        except _GroupedColumn as found:
+            self.grouped[found.column] = found.sign
+            return self.columns(lines)
         columns_read = [
             np.concatenate([block[k] for block in blocks]) for k in range(len(self.keep))
         ]
+        for k, place in enumerate(self.keep):
+            if place in self.dates and self.dates[place][2:3] == ":":  # without a day
+                midnights = np.cumsum(np.diff(columns_read[k], prepend=0.0) < -_DAY / 2)
+                columns_read[k] = columns_read[k] + _DAY * midnights
         return [
             values if self._is_clock(place, values) else self._without_missing(values)
             for place, values in zip(self.keep, columns_read, strict=True)
@@ -86,9 +105,10 @@ class Reader:
         return values
 
     def _bare(self, cell: str, column: int) -> str:
-        """A cell without the unit that is behind the numbers of its column."""
+        """A cell without the unit that is behind the numbers of its column, and without signs between thousands."""
         unit = self.units.get(column, "")
-        return cell.removesuffix(unit).rstrip() if unit else cell
+        cell = cell.removesuffix(unit).rstrip() if unit else cell
+        return cell.replace(self.grouped[column], "") if column in self.grouped else cell
 
     def _with_point(self, cell: str) -> str:
         """A number as this text writes it, with a decimal point."""
@@ -135,7 +155,7 @@ class Reader:
                 return np.array([words[cell] for cell in small])
         if words is SWITCH_WORDS:
             return None
-        if column in self.units:
+        if column in self.units or column in self.grouped:
             cells = [self._bare(cell.strip(), column) for cell in cells]
         return _floats(cells, self.decimal)
 
@@ -186,6 +206,10 @@ class Reader:
         written, cell = cell, self._bare(cell, column)
         number = cell.replace(",", ".") if self.decimal == "," and "." not in cell else cell
         is_number = _NUMBER.fullmatch(number) and not (self.decimal == "," and "." in cell)
+        if not words and not is_number and column not in self.grouped:
+            sign = grouping_sign(self._cells_of(column))
+            if sign:
+                raise _GroupedColumn(column, sign)
         if words is SWITCH_WORDS or not is_number:
             wrong = (
                 f"{shown(cell)} is none of {', '.join(words)}"
@@ -211,13 +235,15 @@ class Reader:
             raise self._error(f"{message}; correct it in the file", line, column)
         return float(seconds[0])
 
+    def _cells_of(self, column: int) -> list[str]:
+        """The cells of a column."""
+        return [
+            cell for n, line in self._lines for cell in self._split(n, line)[column : column + 1]
+        ]
+
     def _may_be_grouped(self, column: int) -> bool:
         """Whether three digits stand behind every comma of a column."""
-        with_comma = []
-        for number, line in self._lines:
-            if "," in line:
-                cells = self._split(number, line)
-                with_comma += [cell for cell in cells[column : column + 1] if "," in cell]
+        with_comma = [cell for cell in self._cells_of(column) if "," in cell]
         return bool(with_comma) and all(map(_GROUPED.fullmatch, with_comma))
 
     def _not_a_number(self, cell: str, column: int) -> str:

@@ -18,7 +18,13 @@ from pathlib import Path
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import labview_text
-from pam_cosim.measurement.cell_kinds import NUMBER, is_measured, is_measured_row, is_number
+from pam_cosim.measurement.cell_kinds import (
+    NUMBER,
+    decimal_sign_of,
+    is_measured,
+    is_measured_row,
+    is_number,
+)
 from pam_cosim.measurement.table import Layout, split_heading
 from pam_cosim.measurement.text_header import header_of
 from pam_cosim.measurement.text_rows import (
@@ -220,14 +226,16 @@ def decimal_sign(cells: Iterable[tuple[int, str]], separator: str, file: Path) -
     if separator == ",":
         return "."
     example: tuple[int, str] | None = None
+    by_groups = ""
     for line, cell in cells:
         sign = "," if "," in cell else "." if "." in cell else ""
         if sign and NUMBER.fullmatch(cell) and not _THOUSANDS.fullmatch(cell):
             return sign
+        by_groups = by_groups or decimal_sign_of(cell)
         if sign and example is None:
             example = (line, cell)
-    if example is None:
-        return "."
+    if by_groups or example is None:
+        return by_groups or "."
     sign = "," if "," in example[1] else "."
     message = f"{shown(example[1])} may have decimals or be grouped by thousands, and no other number tells"
     hint = f'state decimal = "{sign}" under [recording], or write numbers without groups'

@@ -37,6 +37,8 @@ def split_cells(line: str, separator: str) -> list[str]:
         csv.Error: a quote is not closed.
     """
     if '"' in line:
+        if separator != " ":
+            line = re.sub(rf'(?<!")" +(?={re.escape(separator)})', '"', line)
         cells = next(
             csv.reader([line.strip(" ")], delimiter=separator, strict=True, skipinitialspace=True)
         )

@@ -15,6 +15,9 @@ class Vocabulary:
         units: rows of a kind and the units of numbers without one, each with the largest number that has it.
         sure: rows of a kind and words that leave no doubt of it.
         directions: rows of "down" or "up", and words.
+        data_sheets: rows of a parameter, the units of what data sheets tell and of the input, what an input of one
+            opens, and the input at which it begins to open.
+        nominal: rows of a unit that data sheets have instead, the unit that is meant, and the factor.
         calibrated: words in descriptions of parameters that a fit tells.
         uncertain: likewise, of those that may be free besides.
         chosen: likewise, of those that are neither stated nor fitted.
@@ -26,6 +29,8 @@ class Vocabulary:
     units: tuple[tuple[str, str], ...] = ()
     sure: tuple[tuple[str, str], ...] = ()
     directions: tuple[tuple[str, str], ...] = ()
+    data_sheets: tuple[tuple[str, str, str, str, str], ...] = ()
+    nominal: tuple[tuple[str, str, str], ...] = ()
     calibrated: tuple[str, ...] = ()
     uncertain: tuple[str, ...] = ()
     chosen: tuple[str, ...] = ()

@@ -127,6 +127,7 @@ def new(
     title: str | None = None,
     model: str | None = None,
     muscle: str | None = None,
+    valve: str | None = None,
     columns: Mapping[str, str] | None = None,
     parameters: Mapping[str, Setting] | None = None,
     recording: Mapping[str, object] | None = None,
@@ -149,6 +150,7 @@ def new(
         title: default: the folder's name.
         model: the bench; a ``.mo`` or ``.fmu`` file is copied too.
         muscle: one of ``rig_parts``, by name; the bench is then put together.
+        valve: what its data sheet states, as "0.8 mm2 at 250 mA" or "120 l/min at 300 mA from 40 mA".
         columns: names of columns, or formulas, by inputs, outputs or "time".
         parameters: what is known of all runs, with units.
         recording: keys of ``[recording]`` of ``experiment.toml``, as far as files do not show them.
@@ -159,7 +161,7 @@ def new(
         InputError: whatever cannot be used, with file, line and column; nothing is written then.
     """
     stated = {name: str(value) for name, value in (parameters or {}).items()}
-    wishes = DraftRequests(title, model, columns, stated, recording, muscle, roles)
+    wishes = DraftRequests(title, model, columns, stated, recording, muscle, roles, valve)
     paths = [Path(file) for file in recordings]
     described = described_with(files)
     made = draft(

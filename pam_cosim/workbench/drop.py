@@ -186,6 +186,7 @@ class Wishes(CheckedTable):
     title: Text = ""
     model: Text = ""
     muscle: Text = ""
+    valve: Text = ""
     columns: dict[Name, Text] = {}
     parameters: dict[Name, Text] = {}
     recording: dict[Name, Text] = {}

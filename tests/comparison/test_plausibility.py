@@ -202,6 +202,11 @@ def test_what_is_not_usual_in_the_field_is_named(
     signals, units = {"p": Signal("p", "Pa", SIGMA)}, {"u": "A"}
     texts = [d.text for d in doubts([odd], signals, units, ranges=ranges) if d.kind == "unusual"]
     assert len(texts) == bool(words) and all(text.startswith(words) for text in texts)
+    if words.startswith("u"):
+        run = replace(odd.run, name="run-03", inputs={"u": 2.0 * inputs["u"]})
+        idle = replace(usual, run=replace(usual.run, name="run-04", inputs={}))
+        first = doubts([idle, replace(odd, run=run)], signals, units, ranges=ranges)
+        assert any(d.text.startswith("u: 500 A in run-03") for d in first)
     calm = compared(noisy(PRESSURE), PRESSURE, name="run-02")
     both = doubts([odd, calm], signals, units, ranges=ranges)
     assert not [d for d in both if d.kind == "unusual"]

@@ -1,4 +1,4 @@
-"""Recordings of thirteen invented laboratories, each with what it holds: a table, made by a seeded script.
+"""Recordings of invented laboratories and ten loggers, each with what it holds: a table, made by a seeded script.
 
 The signals are those of ``labs``: of another form than the library's, with noise. A case is one recording, or a few of
 one rig, as a logger writes them; ``truth`` has the signals of the first run under the names of the bench [SI], and
@@ -170,7 +170,8 @@ CHANGES: dict[str, Callable[[Array], Array]] = {
     "counts": times(2e-5), "mA": times(1e-3), "volts": times(6e4), "ms": times(1e-3),
     "whole_us": lambda t: np.round(1e6 * t), "early": lambda t: (t < 20).astype(float), "degC": times(1.0, -273.15),
     "degF": lambda T: (T - 273.15) * 1.8 + 32.0, "kgf": times(9.80665), "lbf": times(4.4482216152605),
-    "negative": times(-1.0),
+    "negative": times(-1.0), "mbar": times(1e2), "nanoseconds": lambda t: np.round(1e9 * t + 1.7008e18),
+    "clock": lambda t: 22.12 + t,
 }  # fmt: skip
 """How numbers of a column follow from its signal [SI]."""
 LOAD = {"parameters": {"load.m": "2 kg"}}
@@ -549,6 +550,107 @@ def _abroad() -> Iterator[Case]:
         )
 
 
+def _lines(signals: Signals, heads: str, row: str, head: str) -> bytes:
+    """A text with a line of a template for each sample, below a head."""
+    columns = list(_columns(heads, signals).values())
+    rows = zip(*(column.tolist() for column in columns), strict=True)
+    return (head + "".join(row.format(*cells, i=i) + "\n" for i, cells in enumerate(rows))).encode()
+
+
+def _loggers() -> Iterator[Case]:
+    """Ten loggers, each with the layout that its program writes."""
+    two = [_regulated(1), _regulated(3)]
+    plain = "t -> t; p_set -> p_set kPa; p -> p kPa; x -> x mm"
+
+    def make(name: str, suffix: str, files: Sequence[bytes], **more: Any) -> Case:
+        content = {f"run{i + 1}.{suffix}": one for i, one in enumerate(files)}
+        truth = {n: two[0][n] for n in ("p_set", "p", "x")}
+        return Case(f"logger: {name}", content, truth, "HangingLoad", **more)
+
+    arduino = "t -> t ms; p_set -> p_set kPa; p -> p kPa; x -> x mm"
+    head = "Pneumatic rig v2, 115200 baud\nCalibrating... done\nmillis,soll_kPa,ist_kPa,weg_mm\n"
+    yield make(
+        "arduino",
+        "txt",
+        [_lines(one, arduino, "{0:.0f},{1:.1f},{2:.2f},{3:.3f}", head) for one in two],
+    )
+    lvm = (
+        "LabVIEW Measurement\t\nWriter_Version\t2\nReader_Version\t2\nSeparator\tTab\nDecimal_Separator\t,\n"
+        "Multi_Headings\tNo\nX_Columns\tOne\nTime_Pref\tRelative\nOperator\tlab\nDate\t2023/11/24\n"
+        "Time\t14:03:22,1205\n***End_of_Header***\t\n\t\nChannels\t3\t\t\t\nSamples\t400\t400\t400\t\n"
+        "Date\t2023/11/24\t2023/11/24\t2023/11/24\t\nX_Dimension\tTime\tTime\tTime\t\nX0\t0\t0\t0\t\n"
+        "Delta_X\t0,01\t0,01\t0,01\t\n***End_of_Header***\t\t\t\t\nX_Value\tp_soll (bar)\tp_ist (bar)\tWeg (mm)\tComment\n"
+    )
+    bars = "t -> t; p_set -> p_set bar; p -> p bar; x -> x mm"
+    row = "{0:.6f}\t{1:.6f}\t{2:.6f}\t{3:.6f}\t"
+    yield make(
+        "labview",
+        "lvm",
+        [lvm.encode() + _lines(one, bars, row, "").replace(b".", b",") for one in two],
+    )
+    dspace = [
+        {
+            "X": {"Name": "Host Time", "Data": one["t"], "Unit": "s"},
+            "Y": np.array(
+                [
+                    (f"Model Root/{name}/In1", "RTProgram", unit, values)
+                    for (name, values), unit in zip(
+                        list(_columns(bars, one).items())[1:], ("bar", "bar", "mm"), strict=True
+                    )
+                ],
+                dtype=[("Name", object), ("Path", object), ("Unit", object), ("Data", object)],
+            ),
+            "Description": {"DateTime": "24.11.2023"},
+        }
+        for one in two
+    ]
+    yield make("dspace", "mat", [_mat({"rec_001": one}) for one in dspace])
+    yield make(
+        "timetable",
+        "csv",
+        [_lines(o, plain, "{0:.2f} sec,{1:.4f},{2:.4f},{3:.5f}", "Time,p_ref_kPa,p_kPa,x_mm\n") for o in two],
+    )  # fmt: skip
+    excel = "sep=;\nZeit;Solldruck;Istdruck;Verkürzung\n[s];[bar];[bar];[mm]\n"
+    row = "{0:.2f};{1:.3f};{2:.4f};{3:.4f}"
+    yield make(
+        "excel",
+        "csv",
+        [excel.encode("cp1252") + _lines(one, bars, row, "").replace(b".", b",") for one in two],
+    )
+    scope = (
+        "Model,TDS2024C\nFirmware Version,v24.26\nPoint Format,Y\nHorizontal Units,s\nSample Interval,0.01\n"
+        "Record Length,400\nProbe Attenuation,1,1,1\nVertical Units,V,V,V\n\nTIME,CH1,CH2,CH3\n"
+    )
+    volts = "t -> t; p_set -> p_set volts; p -> p volts; x -> x cm"
+    answer = {"columns": {n: f'CH{i} * "{k}"' for n, i, k in (
+        ("p_set", 1, "60 kPa/V"), ("p", 2, "60 kPa/V"), ("x", 3, "1 cm/V"))}}  # fmt: skip
+    row = "{0:.5e},{1:.5f},{2:.5f},{3:.5f}"
+    yield make(
+        "oscilloscope", "csv", [_lines(one, volts, row, scope) for one in two], answer=answer
+    )
+    names = ("Time", "p_soll (bar)", "p_ist (bar)", "Weg (mm)")
+    tdms = "," + ",".join(f"/'Messung'/'{name}'" for name in names) + "\n"
+    yield make(
+        "tdms",
+        "csv",
+        [_lines(one, bars, "{i},{0:.3f},{1:.4f},{2:.5f},{3:.4f}", tdms) for one in two],
+    )
+    ros = "%time,field.header.seq,field.header.stamp,field.header.frame_id,field.p_set,field.p,field.x\n"
+    silent = "t -> t nanoseconds; p_set -> p_set; p -> p; x -> x"
+    row = "{0:.0f},{i},{0:.0f},rig,{1:.1f},{2:.1f},{3:.6f}"
+    yield make("ros", "csv", [_lines(one, silent, row, ros) for one in two])
+    plc = "Datum;Uhrzeit;Druck_Soll [mbar];Druck_Ist [mbar];Position [mm]\n"
+    clock = "t -> t clock; p_set -> p_set mbar; p -> p mbar; x -> x mm"
+    row = "24.11.2023;14:03:{0:06.3f};{1:.0f};{2:.1f};{3:.3f}"
+    yield make(
+        "plc", "csv", [_lines(one, clock, row, plc).replace(b"#", b"").replace(b".", b",").replace(b"24,11,", b"24.11.") for one in two]
+    )  # fmt: skip
+    stream = [io.BytesIO() for _ in two]
+    for one, place in zip(two, stream, strict=True):
+        np.savez(place, t=one["t"], p_ref=one["p_set"], p=one["p"], pos=one["x"])
+    yield make("numpy", "npz", [place.getvalue() for place in stream])
+
+
 CASES: tuple[Case, ...] = tuple(
     case
     for lab in (
@@ -563,6 +665,7 @@ CASES: tuple[Case, ...] = tuple(
         _cells,
         _imposed,
         _abroad,
+        _loggers,
     )
     for case in lab()
 )

@@ -9,11 +9,11 @@ import pytest
 from tests.drafting.corpus import CASES
 from tests.drafting.corpus_score import outcome
 
-ANSWERED = {"imposed: counts", "imposed: volts"}
+ANSWERED = {"imposed: counts", "imposed: volts", "logger: oscilloscope"}
 QUICK = {
     "regulator: german", "regulator: draw wire", "valves: numbered", "press: kilograms", "tank: german", "vessel: psia",
     "switches: words", "map: ratio", "pairs: structures", "load cell: wire", "imposed: volts",
-    "abroad: polish", "abroad: paths",
+    "abroad: polish", "abroad: paths", "logger: dspace", "logger: plc", "logger: numpy",
 }  # fmt: skip
 
 

@@ -70,7 +70,7 @@ def test_dates_are_the_time_where_no_number_is(tmp_path: Path) -> None:
 
 
 def test_times_of_day_make_no_points_at_rest(tmp_path: Path) -> None:
-    rows = [[f"14:05:{k % 60:02d}.5", *row] for k, row in enumerate(steps(50))]
+    rows = [[f"14:{k % 60:02d}", *row] for k, row in enumerate(steps(50))]
     file = write(tmp_path / "a.csv", ",".join(["Uhrzeit", *SET]), rows)
     with pytest.raises(InputError, match="'Uhrzeit': .*interval='1 ms'.*'ignore=Uhrzeit'"):
         pam.new(tmp_path / "rig", [file])

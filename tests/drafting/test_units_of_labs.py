@@ -249,6 +249,6 @@ def test_a_file_named_twice_does_not_count_twice(tmp_path: Path) -> None:
 
 def test_times_of_day_beside_two_valves_are_refused_in_words(tmp_path: Path) -> None:
     file = tmp_path / "run.csv"
-    file.write_text("time,u_in [A],u_out [A],p [kPa],x [mm]\n" + "12:00:01.5,0.1,0,5,1\n" * 9)
+    file.write_text("time,u_in [A],u_out [A],p [kPa],x [mm]\n" + "12:00 PM,0.1,0,5,1\n" * 9)
     with pytest.raises(InputError, match="'time' is text: dates are read as 2024-"):
         pam.new(tmp_path / "rig", [file])

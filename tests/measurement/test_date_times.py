@@ -37,6 +37,22 @@ def test_seconds_since_the_first(tmp_path: Path, heading: str, cells: list[str])
     np.testing.assert_allclose(p.values, [0.0, 1.0, 2.0])
 
 
+@pytest.mark.parametrize(
+    "cells",
+    [
+        ["23:59:59.99", "00:00:00.000", "00:00:00.015"],
+        ["9:59:59,99", "10:00:00,000", "10:00:00,015"],
+        ["12.03.2024 23:59:59,99", "13.03.2024 00:00:00,000", "13.03.2024 00:00:00,015000"],
+    ],
+)
+def test_a_time_of_day_counts_from_the_first_past_midnight(
+    tmp_path: Path, cells: list[str]
+) -> None:
+    rows = [f"12.03.2024;{cell};{k}" for k, cell in enumerate(cells)]
+    table = table_of(tmp_path, "\n".join(["Datum;Zeit;p [bar]", *rows]), Layout(ignore=("Datum",)))
+    np.testing.assert_allclose(table.columns["Zeit"].values, [0.0, 0.01, 0.025], atol=1e-9)
+
+
 def test_an_empty_cell_is_a_missing_date_and_another_text_an_error(tmp_path: Path) -> None:
     rows = "time,p [bar]\n2024-03-12 10:00:00,1\n,2\n2024-03-12 10:00:02,3\n"
     values = table_of(tmp_path, rows).columns["time"].values

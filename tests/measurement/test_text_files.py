@@ -128,7 +128,7 @@ FAULTS = [
     ),
     ("ambiguous point", "a;b\n1.234;2.345\n", {}, 2, None, ["'1.234'", 'decimal = "."']),
     ("two signs", "a;b\n0,5;1\n1,5;2.5\n", {}, 3, "b", ["'2.5'", "decimal point"]),
-    ("thousands", "a;b\n0,5;1\n1,5;1.002,5\n", {}, 3, "b", ["thousands"]),
+    ("thousands", "a;b\n0,5;1\n1,5;1.0021,5\n", {}, 3, "b", ["thousands"]),
     ("first row at fault", "a;b\n0,5;x\n1,5;2\n", {}, 2, "b", ["'x'", "not a number"]),
     ("a word", "a;b\n0,5;1\n1,5;OVLD\n", {}, 3, "b", ["'OVLD'", 'missing = ["OVLD"]']),
     ("no header", "0;1\n1;2\n", {}, 1, None, ["names = ["]),

@@ -31,6 +31,12 @@ def new(
         str | None,
         typer.Option("--muscle", help="The muscle, as 'pam-cosim bench --list' names it."),
     ] = None,
+    valve: Annotated[
+        str | None,
+        typer.Option(
+            "--valve", help="Its data sheet, as '0.8 mm2 at 250 mA' or '120 l/min at 5 V'."
+        ),
+    ] = None,
     columns: Annotated[
         list[str] | None,
         typer.Option(
@@ -57,6 +63,7 @@ def new(
         title=title,
         model=model,
         muscle=muscle,
+        valve=valve,
         columns=parse_pairs(columns),
         parameters=parse_pairs(parameters),
         recording=parse_pairs(recording, ("names", "ignore", "missing")),

@@ -2,9 +2,9 @@
 
 import { make } from "./element.js";
 
-const OPTION = /--(title|model|muscle|column|parameter|recording|role)[ =]('(?:[^']|'"'"')*'|"(?:[^"\\]|\\.)*"|[^\s,;:)=]*=[^\s,;)]*|[A-Z][^\s,;:)]*|)/g;
+const OPTION = /--(title|model|muscle|valve|column|parameter|recording|role)[ =]('(?:[^']|'"'"')*'|"(?:[^"\\]|\\.)*"|[^\s,;:)=]*=[^\s,;)]*|[A-Z][^\s,;:)]*|)/g;
 const GROUPS = { column: "columns", parameter: "parameters", recording: "recording", role: "roles" };
-const EXAMPLES = ["muscle", "parameter"]; // whose values in a sentence are those of some other rig
+const EXAMPLES = ["muscle", "valve", "parameter"]; // whose values in a sentence are those of some other rig
 const LIST = /'pam-cosim bench --list'( has the types)?/g;
 
 /**

@@ -158,6 +158,11 @@ function rig(draft, wishes, change, answer) {
       field("muscle", "", wishes, change, { placeholder: "the bench's own", list: "muscles" }),
       muscle || "a type, with its length in mm: DMSP-20-300; any-geometry takes a braid angle",
     ),
+    line(
+      "data sheet of the valves",
+      field("valve", "", wishes, change, { placeholder: "0.8 mm2 at 250 mA" }),
+      "an area or a flow at a current: 120 l/min at 300 mA from 40 mA",
+    ),
     choices("benches", [...draft.benches.map((name) => [name, "a bench of the library"]), ...rigs]),
     choices("muscles", part("muscle").map((one) => [one.name, one.description])),
     parameters(draft.parameters.filter(shown), draft, wishes, change),

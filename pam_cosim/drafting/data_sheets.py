@@ -1,0 +1,146 @@
+"""What a data sheet states of a valve: an area or a flow at an input, as parameter and scale of the inputs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from pam_cosim.arrays import Array
+from pam_cosim.drafting.columns import RecordedColumn
+from pam_cosim.drafting.headings import Headings
+from pam_cosim.errors import InputError
+from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.units import UnitError, convert, parse_quantity
+from pam_cosim.wording import shown
+
+EXAMPLES = (
+    "--valve '0.8 mm2 at 250 mA', or --valve '120 l/min at 300 mA from 40 mA' where it opens later"
+)
+_RATING = re.compile(
+    r"\s*(?:[a-z]+ )?(?P<size>[\d.]+ *[^\s\d]\S*)(?: at (?P<at>[\d.]+ *\S*?))?(?: from (?P<begin>[\d.]+ *\S*))?\s*",
+    re.IGNORECASE,
+)
+
+
+@dataclass(frozen=True)
+class Rating:
+    """What a data sheet states of a valve, in its own units.
+
+    Attributes:
+        size: area, or nominal flow, at the input ``at``.
+        begin: input at which the valve begins to open; "": zero.
+    """
+
+    text: str
+    size: str
+    at: str
+    begin: str
+
+    @property
+    def unit(self) -> str:
+        """Of the input."""
+        return re.sub(r"^[\d.]+\s*", "", self.at)
+
+
+@dataclass(frozen=True)
+class Scale:
+    """How a recorded input [``unit``] becomes the model's: less ``less``, times ``gain``, plus ``offset`` [SI]."""
+
+    unit: str
+    less: float
+    gain: float
+    offset: float
+    model_unit: str
+
+    def entry(self, name: str, column: RecordedColumn) -> tuple[str, dict[int, Array]]:
+        """The formula of ``[columns]`` of an input, and its numbers.
+
+        Raises:
+            InputError: the column has another unit.
+        """
+        term = column.formula or column.term
+        less = f'({term} - "{self.less:.6g} {self.unit}")' if self.less else f"({term})"
+        gain = f"{self.gain:.6g} {self.model_unit}/({self.unit})"
+        try:
+            numbers = {
+                i: (convert(v, column.unit, self.unit) - self.less) * self.gain + self.offset
+                for i, v in column.values.items()
+            }
+        except UnitError as error:
+            message = f"{column.name}, which opens a valve: {error}"
+            raise InputError(f"{message}; state --valve at such an input, as {EXAMPLES}") from None
+        return f'{less} * "{gain}" + "{self.offset:.6g} {self.model_unit}"', numbers
+
+
+def rating_of(text: str) -> Rating:
+    """Reads what a user states of a valve.
+
+    Raises:
+        InputError: it is written otherwise.
+    """
+    match = _RATING.fullmatch(text)
+    if match is None:
+        raise InputError(f"--valve {shown(text)} is not read; say {EXAMPLES}")
+    return Rating(text, match["size"], match["at"] or "", match["begin"] or "")
+
+
+def parameter_of(
+    rating: Rating, interface: Interface, headings: Headings
+) -> tuple[str, str, Scale | None]:
+    """The parameter that has the rating, its value, and the scale of the valve's inputs; None: they stay as they are.
+
+    Raises:
+        InputError: the bench has no such valve, or a unit does not fit.
+    """
+    inputs = valve_inputs(interface, headings)
+    for last, unit, input_unit, slope, begin in headings.vocabulary.data_sheets:
+        name = next((n for n in interface.parameters if n.rpartition(".")[2] == last), None)
+        if name is None or not inputs or {v.unit for v in inputs.values()} != {input_unit}:
+            continue
+        try:
+            size = _size(rating, unit, headings)
+            per_input = parse_quantity(slope, f"{unit}/({input_unit})" if begin else unit)
+            if not begin:
+                return name, f"{size / per_input / (_number(rating.at, '1') or 1.0):.6g}", None
+            full, less = _number(rating.at, rating.unit), _number(rating.begin, rating.unit)
+            if full <= less:
+                raise InputError(f"--valve {shown(rating.text)}: say at which input, as {EXAMPLES}")
+            gain = size / per_input / (full - less)
+            return (
+                name,
+                "1",
+                Scale(rating.unit, less, gain, parse_quantity(begin, input_unit), input_unit),
+            )
+        except UnitError as error:
+            raise InputError(f"--valve {shown(rating.text)}: {error}; say {EXAMPLES}") from None
+    raise InputError(
+        "--valve: the bench has no valve of which a data sheet tells the area; leave it out"
+    )
+
+
+def valve_inputs(interface: Interface, headings: Headings) -> Mapping[str, Variable]:
+    """The inputs that open valves."""
+    kinds = {n: headings.variable(v) for n, v in interface.inputs.items()}
+    return {
+        n: interface.inputs[n]
+        for n, one in kinds.items()
+        if one and one.roles & {"inlet", "exhaust"}
+    }
+
+
+def _size(rating: Rating, unit: str, headings: Headings) -> float:
+    """The size [``unit``], of a nominal flow by the convention of the vocabulary."""
+    for other, of_unit, factor in headings.vocabulary.nominal:
+        try:
+            size = parse_quantity(rating.size, other)
+        except UnitError:
+            continue
+        if of_unit == unit:
+            return size * parse_quantity(factor, f"{unit}/({other})")
+    return parse_quantity(rating.size, unit)
+
+
+def _number(text: str, unit: str) -> float:
+    """A quantity in a unit; 0 of none."""
+    return parse_quantity(text, unit) if text else 0.0

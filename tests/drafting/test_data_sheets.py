@@ -1,0 +1,101 @@
+"""What a user knows of a valve or a muscle from its data sheet, stated in the words of that."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import pam_cosim as pam
+from pam_cosim.errors import InputError
+from tests.drafting.corpus import CASES
+
+BEGIN, SLOPE = 0.145, 1.80e-6  # DP (62): A = SLOPE (u - BEGIN)
+BY_NAME = {case.name: case for case in CASES}
+
+
+def drafted(tmp_path: Path, name: str, **wishes: Any) -> pam.NewDataSet:
+    """The data set of a case of the corpus."""
+    files = BY_NAME[name].write(tmp_path / "files")
+    return pam.new(tmp_path / "rig", files, **{**BY_NAME[name].stated, **wishes})
+
+
+def written(made: pam.NewDataSet) -> dict[str, Any]:
+    return tomllib.loads((made.folder / "experiment.toml").read_text())
+
+
+@pytest.mark.parametrize(
+    ("text", "area", "full", "begin"),
+    [
+        ("0.8 mm2 at 250 mA", 0.8e-6, 0.25, 0.0),
+        ("area 0.8 mm2 at 0.25 A from 40 mA", 0.8e-6, 0.25, 0.04),
+        # VDI 3290: from 7 to 6 bar absolute at 20 degC; psi of the isentropic flow is 0.492, T 293 K, rho 1.19 kg/m3
+        ("flow 120 l/min at 300 mA", 2e-3 * 1.189 / (7e5 * 0.492 / np.sqrt(287.05 * 293.15)), 0.3, 0.0),
+    ],
+)  # fmt: skip
+def test_an_area_at_a_current(
+    tmp_path: Path, text: str, area: float, full: float, begin: float
+) -> None:
+    made = drafted(tmp_path, "valves: mA", valve=text)
+    calibration = written(made)["parameters"]["valve.C_A"]
+    modelled = calibration * np.maximum(0.0, SLOPE * (made.data.runs[0].inputs["u_in"] - BEGIN))
+    recorded = BY_NAME["valves: mA"].truth["u_in"]
+    wanted = area * np.maximum(0.0, (recorded - begin) / (full - begin))
+    np.testing.assert_allclose(modelled, wanted, rtol=0.01, atol=1e-11)
+    assert "valve.C_A" not in written(made).get("fit", {})
+
+
+def test_an_area_at_a_voltage_and_of_a_valve_that_is_open_or_shut(tmp_path: Path) -> None:
+    rows = ["t [s],U_in [V],U_out [V],p_supply [kPa],p [kPa],x [mm]"]
+    rows += [f"{0.01 * k:.2f},{5 * (k > 50)},0,500,{min(k, 200)},{0.1 * min(k, 200)}" for k in range(300)]  # fmt: skip
+    file = tmp_path / "run.csv"
+    file.write_text("\n".join(rows) + "\n")
+    columns = {"u_in": "U_in", "u_out": "U_out"}
+    made = pam.new(tmp_path / "volts", [file], columns=columns, valve="0.8 mm2 at 10 V")
+    opened = SLOPE * (made.data.runs[0].inputs["u_in"].max() - BEGIN)
+    assert opened == pytest.approx(0.4e-6, rel=1e-4)
+    for text in ("0.8 mm2", "0.4 mm2 at 50 %"):
+        made = drafted(tmp_path / text, "switches: german", valve=text)
+        assert written(made)["parameters"]["valve.C_A"] == pytest.approx(0.08)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "words"),
+    [
+        ("valves: mA", "large", "is not read; say --valve '0.8 mm2 at 250 mA'"),
+        ("valves: mA", "0.8 kg at 250 mA", "cannot be converted"),
+        ("valves: mA", "0.8 mm2", "say at which input"),
+        ("valves: mA", "0.8 mm2 at 5 V", "state --valve at such an input"),
+        ("imposed: french", "0.8 mm2 at 250 mA", "no valve of which a data sheet tells"),
+    ],
+)
+def test_a_data_sheet_that_does_not_fit_is_refused(
+    tmp_path: Path, name: str, text: str, words: str
+) -> None:
+    with pytest.raises(InputError, match=re.escape(words)):
+        drafted(tmp_path, name, valve=text)
+    assert not (tmp_path / "rig").exists()
+
+
+def test_the_question_about_the_valves_can_be_typed(tmp_path: Path) -> None:
+    made = drafted(tmp_path, "valves: mA")
+    question = next(line for line in made.to_check if "data sheet" in line)
+    for k, text in enumerate(re.findall(r"--valve ('[^']*')", question)):
+        answered = drafted(tmp_path / str(k), "valves: mA", valve=shlex.split(text)[0])
+        assert not any("data sheet" in line for line in answered.to_check)
+
+
+def test_stated_measures_take_the_muscle_that_has_them(tmp_path: Path) -> None:
+    measures = {"muscle.alpha_0": "25 deg", "muscle.D0": "12 mm", "muscle.L0": "250 mm"}
+    made = drafted(tmp_path, "valves: mA", parameters={"load.m": "2 kg", **measures})
+    stated = written(made)["parameters"]
+    assert {stated[f"muscle.sleeve.{n}"] for n in ("alpha_0", "D0", "L0")} == {*measures.values()}
+    assert stated["muscle.sleeve.turns"] == 0 and stated["muscle.mu_d"] == 0
+    assert "any-geometry" in (made.folder / "experiment.toml").read_text()
+    with pytest.raises(InputError, match="state three"):
+        drafted(tmp_path / "one", "valves: mA", parameters={"muscle.alpha_0": "25 deg"})
