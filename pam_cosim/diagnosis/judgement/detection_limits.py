@@ -43,8 +43,8 @@ def detection_limits(fit: Fit) -> tuple[DetectionLimit, ...]:
             [r.model[name][np.isfinite(r.run.measurements[name])] for r in runs]
         )
         spare = values.size / residuals.correlation_time - len(fit.parameters)
-        needed = CRITERIA.evidence.very_strong + log(max(values.size, 2))
+        required_evidence = CRITERIA.evidence.very_strong + log(max(values.size, 2))
         noise = signal.sigma * sqrt(max(1.0, residuals.chi2_reduced))
-        rmse = noise * sqrt(needed / spare) if spare > 0 else inf
+        rmse = noise * sqrt(required_evidence / spare) if spare > 0 else inf
         limits.append(DetectionLimit(name, signal.unit, rmse, float(np.std(values))))
     return tuple(limits)

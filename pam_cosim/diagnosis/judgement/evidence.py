@@ -98,8 +98,12 @@ def _may_be_drift(fit: Fit) -> bool:
     """Whether what a model leaves is no more than a drift of instruments; few samples do not tell, nor a rest."""
     enough = fit.residuals["fit"].samples >= CRITERIA.residuals.many_samples
     moving = not any(r.run.is_static for r in fit.comparison.runs)
-    known = (s for s in fit.residuals_beyond_uncertainty.values() if s.samples)
-    return enough and moving and not any(s.exceeds(CRITERIA.residuals.drift) for s in known)
+    statistics_by_series = (s for s in fit.residuals_beyond_uncertainty.values() if s.samples)
+    return (
+        enough
+        and moving
+        and not any(s.exceeds(CRITERIA.residuals.drift) for s in statistics_by_series)
+    )
 
 
 def information_criterion(
@@ -177,7 +181,7 @@ def missed_signals(fit: Fit) -> tuple[str, ...]:
     )
 
 
-def dominant_effect(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
+def dominant_effect(base: Fit, candidates: Sequence[Candidate]) -> Candidate | None:
     """The effect that takes away nearly all that exceeds the noise, where no other family comes near; else None.
 
     In the fitted runs and in the others. What is left has structure then, and still the family is beyond doubt: what
@@ -185,25 +189,30 @@ def dominant_effect(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
 
     Args:
         base: the model without effects, fitted.
-        tried: models with one effect each; others are passed over.
+        candidates: fitted models; only those with one effect are compared.
     """
-    ranked = rank(base, [c for c in tried if len(c.effects) == 1])
-    left: dict[str, float] = {}
+    ranked = rank(base, [c for c in candidates if len(c.effects) == 1])
+    least_excess: dict[str, float] = {}
     for c in ranked:
-        left[c.family] = min(left.get(c.family, math.inf), c.fit.residuals["fit"].excess)
-    family = min(left, key=lambda f: left[f], default="")
+        least_excess[c.family] = min(
+            least_excess.get(c.family, math.inf), c.fit.residuals["fit"].excess
+        )
+    family = min(least_excess, key=lambda f: least_excess[f], default="")
     if any(
-        excess <= CRITERIA.evidence.rival_ratio * left[family]
-        for other, excess in left.items()
+        excess <= CRITERIA.evidence.rival_ratio * least_excess[family]
+        for other, excess in least_excess.items()
         if other != family
     ):
         return None
-    own = (c for c in ranked if c.family == family)
-    return next((c for c in own if _explains_nearly_all(base, c.fit)), None)
+    candidates_of_family = (c for c in ranked if c.family == family)
+    return next((c for c in candidates_of_family if _explains_nearly_all(base, c.fit)), None)
 
 
 def _explains_nearly_all(base: Fit, fit: Fit) -> bool:
-    both = [(base.residuals[r], fit.residuals[r]) for r in ROLES if base.residuals[r].samples]
+    residuals_by_role = [
+        (base.residuals[r], fit.residuals[r]) for r in ROLES if base.residuals[r].samples
+    ]
     return all(
-        after.excess <= CRITERIA.evidence.beyond_doubt * before.excess for before, after in both
+        after.excess <= CRITERIA.evidence.beyond_doubt * before.excess
+        for before, after in residuals_by_role
     )

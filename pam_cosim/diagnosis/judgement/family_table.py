@@ -56,19 +56,19 @@ class FamilyTable(Plain):
     unexplained: float = 0.0
 
 
-def family_table(models: FittedModels, known: Posterior) -> FamilyTable:
+def family_table(models: FittedModels, probabilities: Posterior) -> FamilyTable:
     """The table of a search's models and their probabilities."""
-    named = [*models.path[-1].effects] if models.path else []
-    groups = _exchanged(known)
+    named_effects = [*models.path[-1].effects] if models.path else []
+    groups = _exchanged(probabilities)
     rows = []
     for families, probability in groups:
-        effects = tuple(e for e in named if models.family[e] in families)
-        size = _size(models, named, effects)
+        effects = tuple(e for e in named_effects if models.family[e] in families)
+        size = _size(models, named_effects, effects)
         rows.append(_row(models, families, probability, effects, size))
     base, last = models.base.residuals["fit"], models.last.residuals["fit"]
-    left = last.excess / base.excess if base.excess > 0 else 0.0
+    remaining_error = last.excess / base.excess if base.excess > 0 else 0.0
     rows.sort(key=lambda row: (-row.probability, -(row.share or 0.0), row.families))
-    return FamilyTable(tuple(rows), tuple(_small(models)), min(left, 1.0))
+    return FamilyTable(tuple(rows), tuple(_small(models)), min(remaining_error, 1.0))
 
 
 def _row(
@@ -85,31 +85,33 @@ def _row(
     return FamilyRow(families, probability, effects, size.share, rms)
 
 
-def _exchanged(known: Posterior) -> list[tuple[tuple[str, ...], float]]:
+def _exchanged(probabilities: Posterior) -> list[tuple[tuple[str, ...], float]]:
     """Families with their probabilities, those together that exclude each other where one of them is missing."""
-    left = {f: p for f, p in known.by_family.items() if p >= _LISTED}
+    remaining_families = {f: p for f, p in probabilities.by_family.items() if p >= _LISTED}
     groups = []
-    while left:
-        first = next(iter(left))
+    while remaining_families:
+        first = next(iter(remaining_families))
         group = [first]
-        for other in [f for f in left if f != first]:
-            if left[first] < _SURE and known.probability_of_any([*group, other]) >= (
-                known.probability_of_any(group) + _EXCLUSIVE * left[other]
-            ):
+        for other in [f for f in remaining_families if f != first]:
+            if remaining_families[first] < _SURE and probabilities.probability_of_any(
+                [*group, other]
+            ) >= (probabilities.probability_of_any(group) + _EXCLUSIVE * remaining_families[other]):
                 group.append(other)
-        groups.append((tuple(group), known.probability_of_any(group)))
-        left = {f: p for f, p in left.items() if f not in group}
+        groups.append((tuple(group), probabilities.probability_of_any(group)))
+        remaining_families = {f: p for f, p in remaining_families.items() if f not in group}
     return groups
 
 
-def _size(models: FittedModels, named: Sequence[str], effects: Sequence[str]) -> EffectSize | None:
+def _size(
+    models: FittedModels, named_effects: Sequence[str], effects: Sequence[str]
+) -> EffectSize | None:
     """What effects of the answer are worth: the answer compared with the best model without them; None: not known."""
-    rest = frozenset(named) - frozenset(effects)
+    remaining_effects = frozenset(named_effects) - frozenset(effects)
     if not effects:
         return None
-    without = models.base if not rest else None
+    without = models.base if not remaining_effects else None
     if without is None:
-        fits = [c.fit for c in models.tried if frozenset(c.effects) == rest]
+        fits = [c.fit for c in models.tried if frozenset(c.effects) == remaining_effects]
         without = min(fits, key=lambda fit: fit.chi2_minimised, default=None)
     return size_of_effect(models.base, without, models.last) if without else None
 
@@ -120,9 +122,9 @@ def _small(models: FittedModels) -> Iterable[FamilyRow]:
         return
     answer = models.path[-1]
     limit = models.criterion(answer) - CRITERIA.evidence.very_strong
-    further = [c for c in models.tried if frozenset(c.effects) > frozenset(answer.effects)]
+    larger_models = [c for c in models.tried if frozenset(c.effects) > frozenset(answer.effects)]
     best: dict[str, Candidate] = {}
-    for c in sorted(further, key=lambda c: (models.criterion(c), c.effects)):
+    for c in sorted(larger_models, key=lambda c: (models.criterion(c), c.effects)):
         if len(c.effects) == len(answer.effects) + 1 and models.criterion(c) < limit:
             (added,) = frozenset(c.effects) - frozenset(answer.effects)
             best.setdefault(added, c)

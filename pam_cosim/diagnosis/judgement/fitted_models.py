@@ -68,14 +68,14 @@ class FittedModels:
     @cached_property
     def of_other_families(self) -> list[Candidate]:
         """The models that lack a family of the answer: as few effects as the answer has are enough."""
-        own = self.families(self.path[-1])
-        return [c for c in self.tried if not self.families(c) >= own]
+        families_of_answer = self.families(self.path[-1])
+        return [c for c in self.tried if not self.families(c) >= families_of_answer]
 
     def close_to_answer(self, models: Iterable[Candidate]) -> list[Candidate]:
         """The best model of each set of families, of those that are hardly worse than the answer; best first."""
         limit = self.criterion(self.path[-1]) + CRITERIA.evidence.very_strong
-        near = (c for c in self.best_of_each(models).values() if self.criterion(c) < limit)
-        return self._ordered(near)
+        close_models = (c for c in self.best_of_each(models).values() if self.criterion(c) < limit)
+        return self._ordered(close_models)
 
     def _ordered(self, models: Iterable[Candidate]) -> list[Candidate]:
         return sorted(models, key=lambda c: (self.criterion(c), c.effects))

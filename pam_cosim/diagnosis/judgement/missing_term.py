@@ -49,12 +49,12 @@ def missing_term(fit: Fit, balance: dict[str, float]) -> MissingTerm:
     for name, score in comparison.scores["all"].items():
         runs = [r for r in comparison.runs if r.run.sample_count(name)]
         residual = np.concatenate([r.residual(name) for r in runs])
-        kept = np.isfinite(residual)
+        is_measured = np.isfinite(residual)
         output, correlation = "", 0.0
         for other in comparison.runs[0].model:
-            values = np.concatenate([r.model[other] for r in runs])[kept]
-            if np.ptp(values) > 0 and np.ptp(residual[kept]) > 0:
-                r = float(np.corrcoef(residual[kept], values)[0, 1])
+            values = np.concatenate([r.model[other] for r in runs])[is_measured]
+            if np.ptp(values) > 0 and np.ptp(residual[is_measured]) > 0:
+                r = float(np.corrcoef(residual[is_measured], values)[0, 1])
                 if abs(r) > abs(correlation):
                     output, correlation = other, r
         signals[name] = LeftInSignal(score.rmse, score.chi2_reduced**0.5, output, correlation)

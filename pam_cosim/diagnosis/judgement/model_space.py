@@ -30,9 +30,11 @@ class ModelSpace:
 
 
 @cache
-def _cost(every: int, expected: int, likely: int, other: int) -> float:
+def _cost(all_effects: int, expected: int, likely: int, other: int) -> float:
     """What it costs to choose so many of the expected effects, and so many others of all."""
-    return 2 * math.log(math.comb(expected, likely) * math.comb(every, min(other, every)))
+    return 2 * math.log(
+        math.comb(expected, likely) * math.comb(all_effects, min(other, all_effects))
+    )
 
 
 def effects_named(available: Sequence[EffectClass], name: str) -> frozenset[str]:

@@ -157,14 +157,17 @@ def next_experiment(
 
 
 def _scored(
-    a: Hypothesis, b: Hypothesis, some: Iterable[Variation]
+    a: Hypothesis, b: Hypothesis, variations: Iterable[Variation]
 ) -> list[tuple[float, Variation]]:
     """Variations that both models can simulate, with the evidence that either would give."""
     scored = []
-    for variation in some:
+    for variation in variations:
         with suppress(SimulationFailure):
-            one, two = (model.predict(variation.run) for model in (a, b))
-            evidence = min(b.refitted_miss(one, two), a.refitted_miss(two, one))
+            prediction_of_a, prediction_of_b = (model.predict(variation.run) for model in (a, b))
+            evidence = min(
+                b.refitted_miss(prediction_of_a, prediction_of_b),
+                a.refitted_miss(prediction_of_b, prediction_of_a),
+            )
             scored.append((evidence, variation))
     return scored
 
@@ -174,10 +177,12 @@ def _combined(scored: Sequence[tuple[float, Variation]]) -> list[Variation]:
     ordered = [v for _, v in sorted(scored, key=lambda entry: -entry[0])]
     best = [v for v in ordered if v.original is ordered[0].original]
     return [
-        Variation(one.original, {**two.factors, **one.factors})
-        for i, one in enumerate(best[:_MOST_JOINED])
-        for two in best[:i]
-        if one.factors and two.factors and not one.factors.keys() & two.factors.keys()
+        Variation(variation.original, {**other_variation.factors, **variation.factors})
+        for i, variation in enumerate(best[:_MOST_JOINED])
+        for other_variation in best[:i]
+        if variation.factors
+        and other_variation.factors
+        and not variation.factors.keys() & other_variation.factors.keys()
     ]
 
 

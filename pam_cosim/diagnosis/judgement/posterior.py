@@ -60,15 +60,15 @@ class Posterior:
 
         Of the sets of families that were fitted: that something else is missing besides makes none less probable.
         """
-        families = dict.fromkeys(f for one in self.explanations for f in one.families)
+        families = dict.fromkeys(f for e in self.explanations for f in e.families)
         sums = {family: self.probability_of_any((family,)) for family in families}
         return dict(sorted(sums.items(), key=lambda entry: (-entry[1], entry[0])))
 
     def probability_of_any(self, families: Collection[str]) -> float:
         """Probability that at least one of some families is missing, whatever else is."""
-        every = sum(one.probability for one in self.explanations)
-        some = (one.probability for one in self.explanations if {*families} & {*one.families})
-        return sum(some) / every if every > 0 else 0.0
+        total = sum(e.probability for e in self.explanations)
+        probabilities = (e.probability for e in self.explanations if {*families} & {*e.families})
+        return sum(probabilities) / total if total > 0 else 0.0
 
 
 DOUBTS = ("structure", "form_open", "nothing", "unchecked", "several", "general")
@@ -99,17 +99,23 @@ def posterior(models: FittedModels, doubts: Collection[str]) -> Posterior:
         if not c.brief and len(c.effects) <= most and not models.is_refuted(c)
     ]
     best = models.best_of_each([*counted, *answer])
-    nothing = information_criterion(models.base, models.scale, (), models.model_space)
-    each = {frozenset[str](): nothing} | {f: models.criterion(c) for f, c in best.items()}
-    first = each[models.families(answer[0]) if answer else frozenset()]
+    criterion_of_base = information_criterion(models.base, models.scale, (), models.model_space)
+    criteria = {frozenset[str](): criterion_of_base} | {
+        f: models.criterion(c) for f, c in best.items()
+    }
+    criterion_of_answer = criteria[models.families(answer[0]) if answer else frozenset()]
     weights = {
-        f: exp(min((first - e) / (2 * CRITERIA.evidence.temperature), 0.0)) for f, e in each.items()
+        f: exp(min((criterion_of_answer - e) / (2 * CRITERIA.evidence.temperature), 0.0))
+        for f, e in criteria.items()
     }
     other = something_else(doubts)
     share = (1 - other) / sum(weights.values())
-    made = [Explanation(tuple(sorted(f)), each[f] - first, share * weights[f]) for f in each]
-    made.sort(key=lambda one: (-one.probability, one.evidence, one.families))
-    return Posterior(tuple(made), other, tuple(name for name in DOUBTS if name in doubts))
+    explanations = [
+        Explanation(tuple(sorted(f)), criteria[f] - criterion_of_answer, share * weights[f])
+        for f in criteria
+    ]
+    explanations.sort(key=lambda e: (-e.probability, e.evidence, e.families))
+    return Posterior(tuple(explanations), other, tuple(name for name in DOUBTS if name in doubts))
 
 
 def doubts_of(selected: Sequence[Candidate], structure: bool, form_open: bool) -> frozenset[str]:

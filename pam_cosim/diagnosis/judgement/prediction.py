@@ -59,15 +59,17 @@ class Hypothesis:
         Raises:
             SimulationFailure: the run did not reach its end.
         """
-        known = self._simulator.interface.sensitivities
+        sensitivities = self._simulator.interface.sensitivities
         slopes = {
             (s, p): n
             for s in self.sigma
             for p in self.free
-            if (n := sensitivity_name(s, parameter_of(p))) in known
+            if (n := sensitivity_name(s, parameter_of(p))) in sensitivities
         }
-        wanted = [*self.sigma, *slopes.values()]
-        comparison = simulate_run(self._simulator, self.data, run, self.values, tolerance, wanted)
+        output_names = [*self.sigma, *slopes.values()]
+        comparison = simulate_run(
+            self._simulator, self.data, run, self.values, tolerance, output_names
+        )
         values = np.concatenate([comparison.model[s] for s in self.sigma])
         columns = np.zeros((len(values), len(self.free)))
         for j, p in enumerate(self.free):
@@ -103,18 +105,20 @@ class Hypothesis:
     def _information_rows(self, run: Run) -> Array:
         """(m, k) slopes of the m samples that were taken in a run, in standard deviations of their noise."""
         never = np.full(len(run.time), np.nan)
-        taken = np.isfinite(np.concatenate([run.measurements.get(s, never) for s in self.sigma]))
+        is_measured = np.isfinite(
+            np.concatenate([run.measurements.get(s, never) for s in self.sigma])
+        )
         prediction = self.predict(run)
-        return np.asarray((prediction.slopes / prediction.sigma[:, None])[taken])
+        return np.asarray((prediction.slopes / prediction.sigma[:, None])[is_measured])
 
-    def refitted_miss(self, truth: Prediction, own: Prediction) -> float:
+    def refitted_miss(self, truth: Prediction, prediction: Prediction) -> float:
         """Sum of squares that is left when this hypothesis is fitted to what it has seen and to a new run as well.
 
         To first order in the parameters. A parameter without sensitivities stays where it is. The noise is that of the
         truth's readings: both are weighed by it, also where it grows with the reading.
         """
-        miss = (truth.values - own.values) / truth.sigma
-        rows = np.vstack([own.slopes / truth.sigma[:, None], self.information_root])
+        miss = (truth.values - prediction.values) / truth.sigma
+        rows = np.vstack([prediction.slopes / truth.sigma[:, None], self.information_root])
         size = np.linalg.norm(rows, axis=0)
         size[size == 0] = 1.0
         target = np.concatenate([miss, np.zeros(len(self.information_root))])

@@ -138,7 +138,7 @@ class Verdict(Printed, Plain):
     @property
     def off(self) -> tuple[str, ...]:
         """Names of the signals that are ``missed``."""
-        return tuple(one.signal for one in self.missed)
+        return tuple(error.signal for error in self.missed)
 
     @property
     def reason(self) -> str:
@@ -213,11 +213,13 @@ def judge(models: FittedModels, rivals: Sequence[Candidate] = ()) -> Verdict:
         doubt=doubt,
     )
     if kind == "ambiguous":
-        further = [e for part in instead for e in part]
+        effects_instead = [e for part in instead for e in part]
         verdict = replace(
             verdict,
-            effects=tuple(dict.fromkeys((*effects, *further))),
-            families=tuple(dict.fromkeys((*families, *(models.family[e] for e in further)))),
+            effects=tuple(dict.fromkeys((*effects, *effects_instead))),
+            families=tuple(
+                dict.fromkeys((*families, *(models.family[e] for e in effects_instead)))
+            ),
         )
     return verdict if doubt else _with_probability(_with_near_models(verdict, models), models)
 
@@ -226,52 +228,72 @@ def _doubt(fit: Fit, limits: Sequence[DetectionLimit]) -> Doubt:
     """Why white residuals of the base model do not say that nothing is missing."""
     if fit.residuals["fit"].chi2_reduced > CRITERIA.residuals.far_above:
         return "noise"
-    return "limits" if limits and not any(one.is_useful for one in limits) else ""
+    return "limits" if limits and not any(limit.is_useful for limit in limits) else ""
 
 
 def _with_near_models(verdict: Verdict, models: FittedModels) -> Verdict:
     """The verdict with the models that come as near, and why they are not the answer."""
     if not models.path:
         return verdict
-    others, best = models.of_other_families, models.path[-1]
-    refuted = models.close_to_answer(filter(models.is_refuted, others))
-    general = [c.has_general_member and not best.has_general_member for c in others]
+    other_models, best = models.of_other_families, models.path[-1]
+    refuted = models.close_to_answer(filter(models.is_refuted, other_models))
+    general = [c.has_general_member and not best.has_general_member for c in other_models]
     bending = models.close_to_answer(
-        c for c in compress(others, general) if not models.is_refuted(c)
+        c for c in compress(other_models, general) if not models.is_refuted(c)
     )
     return replace(
         verdict,
         refuted=tuple(" + ".join(c.effects) for c in refuted),
         bending=tuple(" + ".join(c.effects) for c in bending),
-        unusual=_unusual(models, compress(others, map(not_, general))),
+        unusual=_unusual(models, compress(other_models, map(not_, general))),
     )
 
 
 def _with_probability(verdict: Verdict, models: FittedModels) -> Verdict:
-    known = posterior(models, doubts_of(models.path, verdict.kind == "unknown", verdict.remainder))
-    named = sum(one.probability for one in known.explanations if verdict.names(one.families))
+    probabilities = posterior(
+        models, doubts_of(models.path, verdict.kind == "unknown", verdict.remainder)
+    )
+    probability = sum(
+        e.probability for e in probabilities.explanations if verdict.names(e.families)
+    )
     if verdict.kind == "unknown" and not verdict.families:
-        named = known.something_else
-    return replace(verdict, posterior=known, probability=named, table=family_table(models, known))
+        probability = probabilities.something_else
+    return replace(
+        verdict,
+        posterior=probabilities,
+        probability=probability,
+        table=family_table(models, probabilities),
+    )
 
 
-def _unusual(models: FittedModels, others: Iterable[Candidate]) -> tuple[UnusualParameter, ...]:
+def _unusual(
+    models: FittedModels, other_models: Iterable[Candidate]
+) -> tuple[UnusualParameter, ...]:
     """What only priors of parameters keep from being a rival, with the parameter farthest from its prior."""
     limit = models.criterion(models.path[-1]) + CRITERIA.evidence.very_strong
-    near = []
-    for c in others:
-        wanted, with_priors = c.without_priors.values, models.criterion(c)
+    unusual_parameters = []
+    for c in other_models:
+        values_without_priors, with_priors = c.without_priors.values, models.criterion(c)
         without = (
             with_priors - c.fit.chi2_priors - c.without_priors.reduction / models.scale.divisor
         )
-        if not wanted or not without < limit <= with_priors:
+        if not values_without_priors or not without < limit <= with_priors:
             continue
-        priors = {n: prior for n in wanted if (prior := c.fit.parameters[n].prior) is not None}
-        name = max(wanted, key=lambda n: abs(priors[n].surprise(wanted[n])))
+        priors = {
+            n: prior
+            for n in values_without_priors
+            if (prior := c.fit.parameters[n].prior) is not None
+        }
+        name = max(
+            values_without_priors, key=lambda n: abs(priors[n].surprise(values_without_priors[n]))
+        )
         unit, prior = c.fit.parameters[name].unit, priors[name]
-        one = UnusualParameter(c.effects, name, unit, wanted[name], prior.low, prior.high)
-        near.append((without, one))
-    return tuple(one for _, one in sorted(near, key=lambda entry: (entry[0], entry[1].effects)))
+        parameter = UnusualParameter(
+            c.effects, name, unit, values_without_priors[name], prior.low, prior.high
+        )
+        unusual_parameters.append((without, parameter))
+    unusual_parameters.sort(key=lambda entry: (entry[0], entry[1].effects))
+    return tuple(parameter for _, parameter in unusual_parameters)
 
 
 def _check(fit: Fit) -> Check:

@@ -82,9 +82,9 @@ _NOISE = {
 
 def summary(verdict: Verdict) -> str:
     """Kind, families, effects and probability in a line."""
-    what = f": {' and '.join(verdict.families)} ({', '.join(verdict.effects)})"
+    effects = f": {' and '.join(verdict.families)} ({', '.join(verdict.effects)})"
     probability = f", probability {_percent(verdict.probability)}"
-    return f"{verdict.kind}{what * bool(verdict.families)}{probability * (not isnan(verdict.probability))}"
+    return f"{verdict.kind}{effects * bool(verdict.families)}{probability * (not isnan(verdict.probability))}"
 
 
 def verdict_lines(verdict: Verdict) -> list[str]:
@@ -151,17 +151,19 @@ def _percent(share: float) -> str:
 
 def otherwise(verdict: Verdict) -> str:
     """What else may be missing, with probabilities, the most probable first; "" where they are not known."""
-    known = verdict.posterior
-    if isnan(known.something_else):
+    posterior = verdict.posterior
+    if isnan(posterior.something_else):
         return ""
-    others = [one for one in known.explanations if not verdict.names(one.families)][:_MOST_LISTED]
+    explanations = [e for e in posterior.explanations if not verdict.names(e.families)][
+        :_MOST_LISTED
+    ]
     texts = [
-        f"{' and '.join(one.families) or 'nothing'} {_percent(one.probability)}"
-        for one in others
-        if round(100 * one.probability)
+        f"{' and '.join(e.families) or 'nothing'} {_percent(e.probability)}"
+        for e in explanations
+        if round(100 * e.probability)
     ]
     other = _UNSEEN if verdict.kind == "none_missing" else "something else"
-    return ", ".join([*texts, f"{other} {_percent(known.something_else)}"])
+    return ", ".join([*texts, f"{other} {_percent(posterior.something_else)}"])
 
 
 def reason(verdict: Verdict) -> str:
@@ -216,20 +218,21 @@ def _noise_factor(v: Verdict) -> str:
 def _limits(v: Verdict) -> str:
     """The smallest error that would have been found."""
     limits = [
-        f"{one.signal} "
+        f"{limit.signal} "
         + (
             "has no more samples than there are parameters"
-            if isinf(one.rmse)
-            else f"{format_quantity(one.rmse, one.unit)} rms (it moves by {format_quantity(one.movement, one.unit)})"
+            if isinf(limit.rmse)
+            else f"{format_quantity(limit.rmse, limit.unit)} rms "
+            f"(standard deviation of the model {format_quantity(limit.movement, limit.unit)})"
         )
-        for one in v.limits
+        for limit in v.limits
     ]
     return f"The smallest error that would have been found: {listed(limits)}." * bool(limits)
 
 
 def _exceptions(v: Verdict) -> list[str]:
     """Signals, runs and laws for which what remains is not noise, or the answer is open."""
-    far = listed(f"{one.run} ({_error(one)} of {one.signal})" for one in v.far)
+    far = listed(f"{error.run} ({_error(error)} of {error.signal})" for error in v.far)
     subject = (
         f"families ({', '.join(v.general)}) are identified: their general forms fit"
         if len(v.general) > 1
@@ -237,18 +240,18 @@ def _exceptions(v: Verdict) -> list[str]:
     )
     return [
         *(
-            f"{one.signal}, compared but not fitted, is {_error(one)} off "
-            f"(noise {format_quantity(one.noise, one.unit)}): "
+            f"{error.signal}, compared but not fitted, is {_error(error)} off "
+            f"(noise {format_quantity(error.noise, error.unit)}): "
             "something that acts on it is missing besides, or its instrument is at fault."
-            for one in v.missed
+            for error in v.missed
         ),
         f"But not in every run: {far} {'are' if len(v.far) > 1 else 'is'} off." * bool(v.far),
         f"Only the {subject} better than any listed law." * bool(v.general),
     ]
 
 
-def _error(one: SignalError) -> str:
-    return format_quantity(one.rmse, one.unit)
+def _error(error: SignalError) -> str:
+    return format_quantity(error.rmse, error.unit)
 
 
 def _cautions(v: Verdict) -> list[str]:
@@ -265,7 +268,7 @@ def _fold_sentences(v: Verdict) -> list[str]:
     good = "; ".join(_good_to(v, name) for name in folds.rmse if name in v.units)
     counts = {folds.needed[e] for e in folds.named}
     by_count = {n: [e for e in folds.named if folds.needed[e] == n] for n in counts}
-    needed = [
+    sentences = [
         f"{listed(names)} {'are' if len(names) > 1 else 'is'} needed in "
         f"{'every one' if n == folds.count else n} of {folds.count} folds of runs."
         for n, names in sorted(by_count.items(), reverse=True)
@@ -278,7 +281,7 @@ def _fold_sentences(v: Verdict) -> list[str]:
     dropped += [f"{e} ({r:.3g} times what is stated)" for e, r in folds.unbelievable.items()]
     return [
         f"Good to {good} on runs that were never fitted." * bool(good),
-        *(needed or [f"No effect is needed in most of {folds.count} folds of runs."]),
+        *(sentences or [f"No effect is needed in most of {folds.count} folds of runs."]),
         f"Not named, though it helped: {listed(dropped)}." * bool(dropped),
     ]
 
@@ -294,12 +297,14 @@ def _good_to(v: Verdict, name: str) -> str:
     return f"{text} (but {format_quantity(most, v.units[name])} of {first}, when left out)"
 
 
-def unusual_sentence(one: UnusualParameter) -> str:
+def unusual_sentence(parameter: UnusualParameter) -> str:
     """The value that a parameter would need."""
-    value, low, high = (format_quantity(v, one.unit) for v in (one.value, one.low, one.high))
+    value, low, high = (
+        format_quantity(v, parameter.unit) for v in (parameter.value, parameter.low, parameter.high)
+    )
     return (
-        f"{' + '.join(one.effects)} would fit as well, but {one.name} would have to be about {value}, where {low} to "
-        f"{high} is usual."
+        f"{' + '.join(parameter.effects)} would fit as well, but {parameter.name} would have to be about {value}; "
+        f"the usual range is {low} to {high}."
     )
 
 
@@ -387,16 +392,17 @@ def probability_sentence(verdict: Verdict) -> str:
     """How sure the verdict is; "" where it does not say."""
     if isnan(verdict.probability):
         return ""
-    what, rest = "this is missing", ", and nothing else"
+    missing_effects, exclusion = "this is missing", ", and nothing else"
     if verdict.kind == "none_missing":
-        what, rest = _NOTHING, ""
+        missing_effects, exclusion = _NOTHING, ""
     elif verdict.kind == "ambiguous":
-        what = "one of these is missing"
+        missing_effects = "one of these is missing"
     elif not verdict.families:
-        what, rest = "something is missing that is not listed", ""
+        missing_effects, exclusion = "something is missing that is not listed", ""
     uncounted = f" What acts on {enumeration(verdict.off)}, which was not fitted and is off, is not counted."
     off = bool(verdict.off)
-    return f"Probability that {what}{rest * (not off)}: {_percent(verdict.probability)}.{uncounted * off}"
+    probability = _percent(verdict.probability)
+    return f"Probability that {missing_effects}{exclusion * (not off)}: {probability}.{uncounted * off}"
 
 
 class ProbabilityRow(NamedTuple):
@@ -412,22 +418,24 @@ def probability_rows(verdict: Verdict) -> list[ProbabilityRow]:
 
     Improbable sets of families are one row. What no effect describes, or no sample shows, comes last.
     """
-    known = verdict.posterior
-    if isnan(known.something_else):
+    posterior = verdict.posterior
+    if isnan(posterior.something_else):
         return []
     rows = [
         ProbabilityRow(
-            enumeration(map(words, one.families)) or _NOTHING,
-            one.probability,
-            verdict.names(one.families),
+            enumeration(map(words, e.families)) or _NOTHING,
+            e.probability,
+            verdict.names(e.families),
         )
-        for one in known.explanations
-        if one.probability >= _SMALL_SHARE
+        for e in posterior.explanations
+        if e.probability >= _SMALL_SHARE
     ]
-    rest = 1 - known.something_else - sum(row.probability for row in rows)
-    rows += [ProbabilityRow("other families that were tried", rest)] * (rest >= _SMALL_SHARE / 2)
+    probability_of_others = 1 - posterior.something_else - sum(row.probability for row in rows)
+    rows += [ProbabilityRow("other families that were tried", probability_of_others)] * (
+        probability_of_others >= _SMALL_SHARE / 2
+    )
     other = _UNSEEN if verdict.kind == "none_missing" else "something no effect describes"
-    return [*rows, ProbabilityRow(other, known.something_else)]
+    return [*rows, ProbabilityRow(other, posterior.something_else)]
 
 
 def error_sentence(base: Fit, final: Fit) -> str:
