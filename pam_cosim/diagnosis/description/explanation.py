@@ -71,8 +71,8 @@ def described(
     if ledger is not None and ledger.failing and not balances:
         return None  # an instrument has no term
     starts = [(effects, present), ((), base)] if effects else [((), base)]
-    found = (_learned(search, balances, *start, effort) for start in starts)
-    return min(filter(None, found), key=lambda one: remaining_chi2(one.model.fit), default=None)
+    descriptions = (_learned(search, balances, *start, effort) for start in starts)
+    return min(filter(None, descriptions), key=lambda d: remaining_chi2(d.model.fit), default=None)
 
 
 def suspected(ledger: Ledger) -> tuple[str, ...]:
@@ -119,8 +119,11 @@ def disagreement(path: Sequence[Candidate], ledger: Ledger | None) -> str:
     if ledger is None or not ledger.failing:
         return ""
     entries = [entry for entry in ledger.entries if entry.balance in ledger.failing]
-    meant = {*ledger.failing, *(same for entry in entries for same in entry.same_as)}
-    elsewhere = [c for c in path if c.balance not in meant]
+    failing_balances = {
+        *ledger.failing,
+        *(equivalent for entry in entries for equivalent in entry.same_as),
+    }
+    elsewhere = [c for c in path if c.balance not in failing_balances]
     if not elsewhere:
         return ""
     failing = f"the {enumeration(map(words, ledger.failing))} balance{'s' * (len(entries) > 1)}"

@@ -66,16 +66,16 @@ class Form:
 
 def quantities(variables: Mapping[str, Array], units: Mapping[str, str]) -> list[Quantity]:
     """What a term can depend on; of variables that say the same the first."""
-    kept: list[Quantity] = []
+    distinct: list[Quantity] = []
     for name, z in variables.items():
         size = float(np.quantile(np.abs(z), 1 - _EXTREME_QUANTILE))
         if not size > 0 or np.ptp(z) < _CONSTANT_RANGE * size:
             continue
-        if any(abs(np.corrcoef(z, variables[q.name])[0, 1]) > _SAME_CORRELATION for q in kept):
+        if any(abs(np.corrcoef(z, variables[q.name])[0, 1]) > _SAME_CORRELATION for q in distinct):
             continue
         low, high = np.quantile(z, [_EXTREME_QUANTILE, 1 - _EXTREME_QUANTILE])
         digits = 10.0 ** np.floor(np.log10(size))
-        kept.append(
+        distinct.append(
             Quantity(
                 name,
                 units.get(name, ""),
@@ -83,31 +83,31 @@ def quantities(variables: Mapping[str, Array], units: Mapping[str, str]) -> list
                 bool(min(-low, high) > _SIGNED_SHARE * size),
             )
         )
-    return kept
+    return distinct
 
 
 def ramps(
-    known: Sequence[Quantity], variables: Mapping[str, Array], straight: Collection[str] = ()
+    quantities: Sequence[Quantity], variables: Mapping[str, Array], straight: Collection[str] = ()
 ) -> list[Form]:
     """Forms that add up to splines: lines with rounded bends at quantiles of each variable, and their products.
 
     Variables with a name in ``straight`` have no bends.
     """
-    own = {
+    forms_by_quantity = {
         q.name: [
             Form(q.ratio, (q,), q.name),
             *(_bends(q, variables[q.name]) if q.name not in straight else []),
         ]
-        for q in known
+        for q in quantities
     }
-    listed = [Form("1", (), "1"), *(f for forms_of in own.values() for f in forms_of)]
-    for i, a in enumerate(known):
-        for b in known[i + 1 :]:
+    listed = [Form("1", (), "1"), *(f for forms_of in forms_by_quantity.values() for f in forms_of)]
+    for i, a in enumerate(quantities):
+        for b in quantities[i + 1 :]:
             listed.append(Form(f"{a.ratio}*{b.ratio}", (a, b), f"{a.name} {b.name}"))
-            for one, two in ((a, b), (b, a)):
+            for factor, spline in ((a, b), (b, a)):
                 listed += [
-                    Form(f"{one.ratio}*{f.text}", (one, two), f"{one.name} {f.words}")
-                    for f in own[two.name][1:]
+                    Form(f"{factor.ratio}*{f.text}", (factor, spline), f"{factor.name} {f.words}")
+                    for f in forms_by_quantity[spline.name][1:]
                 ]
     return listed
 

@@ -145,7 +145,7 @@ def learn(
         present: the fit of the model with them.
         effort: once it is spent, no further balance is opened; this grows.
     """
-    found: list[Description] = []
+    descriptions: list[Description] = []
     for term in unknown_terms(search.tree, origins(search.structure.parts)):
         if effort.spent or (balances and term.balance not in balances):
             continue
@@ -155,8 +155,8 @@ def learn(
         except (SimulationFailure, InputError, ArithmeticError, ValueError):
             continue  # this balance cannot be opened in this model; others may
         if description is not None:
-            found.append(description)
-    return min(found, key=lambda d: d.left, default=None)
+            descriptions.append(description)
+    return min(descriptions, key=lambda d: d.left, default=None)
 
 
 def try_learned(
@@ -185,28 +185,30 @@ def _in_balance(
 ) -> Description | None:
     values = present.values_and_starts
     base = next(c.owner for c in search.tree.components(term.qualified_name) if c.name == TERM)
-    meant = [c.name for c in search.tree.classes[base].components]
-    watched = _variables_beside(search, effects, term, values, meant)
+    component_names = [c.name for c in search.tree.classes[base].components]
+    watched = _variables_beside(search, effects, term, values, component_names)
     if watched is None:
         return None
-    variables, units, own = watched
-    place = TermPlace(term.balance, base, own.unit, own.description)
-    known = quantities(variables, units)
-    signed = tuple(q.name for q in known if q.signed)
+    variables, units, term_parameter = watched
+    place = TermPlace(term.balance, base, term_parameter.unit, term_parameter.description)
+    arguments = quantities(variables, units)
+    signed = tuple(q.name for q in arguments if q.signed)
     try:
-        library = ramps(known, variables)
+        library = ramps(arguments, variables)
         rows = _felt_forms(search, effects, values, place, library)
     except ModelError:  # a rate that follows the term at once can be in it only as a factor
-        library = ramps(known, variables, signed)
+        library = ramps(arguments, variables, signed)
         rows = _felt_forms(search, effects, values, place, library)
     # what a term of the size that it is declared for does not move by a standard deviation, it cannot be learned from
-    largest = min(abs(own.min or np.inf), abs(own.max or np.inf))
+    largest = min(abs(term_parameter.min or np.inf), abs(term_parameter.max or np.inf))
     library = [f for f in library if largest * float(np.max(np.abs(rows.felt[f.text]))) > 1]
     picked = select_forms(rows, library) if library else []
     if not picked:
         return None
-    left, before = (cross_validation_error(rows, forms) for forms in (picked, []))
-    if not left < (1 - LEAST_GAIN) * before:
+    error_with_forms, error_without = (
+        cross_validation_error(rows, forms) for forms in (picked, [])
+    )
+    if not error_with_forms < (1 - LEAST_GAIN) * error_without:
         return None
     coefficients, left_fitted = coefficients_of(rows, picked)
     _, before_fitted = coefficients_of(rows, [])
@@ -214,7 +216,11 @@ def _in_balance(
         Addend(c, form, abs(c)) for c, form in zip(coefficients.tolist(), picked, strict=True)
     )
     return Description(
-        place, tuple(addends), 1 - left / before, 1 - left_fitted / before_fitted, left
+        place,
+        tuple(addends),
+        1 - error_with_forms / error_without,
+        1 - left_fitted / before_fitted,
+        error_with_forms,
     )
 
 
@@ -226,7 +232,7 @@ def _variables_beside(
     effects: Sequence[str],
     term: EffectClass,
     values: Mapping[str, float],
-    meant: Sequence[str],
+    component_names: Sequence[str],
 ) -> tuple[dict[str, Array], dict[str, str], Variable] | None:
     """The variables beside a term over all fitted samples, their units, and the parameter that is the term.
 
@@ -242,7 +248,7 @@ def _variables_beside(
         file.write_text(composition.text, encoding="utf-8")
         interface = compile_model(composition.name, files=[*search.files, file]).interface
     inside = [n for n in interface.locals if n.startswith(prefix) and "." not in n[len(prefix) :]]
-    inside.sort(key=lambda n: n[len(prefix) :] not in meant)
+    inside.sort(key=lambda n: n[len(prefix) :] not in component_names)
     names = {n[len(prefix) :]: n for n in inside if n != prefix + TERM}
     if not names:
         return None
@@ -296,17 +302,17 @@ def _felt_forms(
         composition = compose_on(tree, search.structure, [*effects, _SCRATCH])
         if composition is None:
             raise InputError(f"the model has no place for a term of {place.balance}")
-        own = [name for names in composition.parameters.values() for name in names]
-        free = tuple(dict.fromkeys([*search.data.differentiated, *own]))
+        coefficient_names = [name for names in composition.parameters.values() for name in names]
+        free = tuple(dict.fromkeys([*search.data.differentiated, *coefficient_names]))
         fmu = build_source(
             composition.name, composition.text, sources, sensitivities=free, lean=True
         )
     with Simulator(fmu) as simulator:
         simulator.limit = CRITERIA.search.longest_run
-        moved = every_parameter(search.data, composition, simulator.interface)
-        moved = [f.starting_at(values.get(f.name, f.start)) for f in moved]
-        objective = Objective(simulator, search.data, search.data.fit_runs, moved, values)
-        z = np.array([f.to_z(f.start) for f in moved])
+        free_parameters = every_parameter(search.data, composition, simulator.interface)
+        free_parameters = [f.starting_at(values.get(f.name, f.start)) for f in free_parameters]
+        objective = Objective(simulator, search.data, search.data.fit_runs, free_parameters, values)
+        z = np.array([f.to_z(f.start) for f in free_parameters])
         linear = linearised(objective, z, CRITERIA.search.rows)
         if linear is None:
             raise SimulationFailure(objective.first_failure)
@@ -315,13 +321,13 @@ def _felt_forms(
     coefficients = composition.parameters[_SCRATCH]
     at_bound = CRITERIA.fit.at_bound * (linear.high - linear.low)
     inside = (linear.values > linear.low + at_bound) & (linear.values < linear.high - at_bound)
-    others = [
+    slopes_of_others = [
         slopes[name]
         for name, is_free in zip(linear.names, inside, strict=True)
         if is_free and name not in coefficients and np.any(slopes[name])
     ]
     felt = {form.text: slopes[name] for form, name in zip(library, coefficients, strict=True)}
-    imitated = np.column_stack([np.zeros((len(linear.residual), 0)), *others])
+    imitated = np.column_stack([np.zeros((len(linear.residual), 0)), *slopes_of_others])
     return FeltForms(linear.residual, felt, imitated, group)
 
 

@@ -41,15 +41,17 @@ class Addend:
 
 def formula_text(place: TermPlace, addends: Sequence[Addend]) -> str:
     """The formula with numbers and units, such as ``missing force = 5.1 N x, where x stands for x/(40 mm)``."""
-    text, where = "", dict[str, None]()
-    for one in addends:
-        words = f" {one.form.words}" * (one.form.words != "1")
-        sign = "-" if one.coefficient < 0 else "+"
+    text, scales = "", dict[str, None]()
+    for addend in addends:
+        words = f" {addend.form.words}" * (addend.form.words != "1")
+        sign = "-" if addend.coefficient < 0 else "+"
         sign = f" {sign} " if text else sign.removeprefix("+")
-        text += f"{sign}{f'{abs(one.coefficient):.4g} {place.unit}'.rstrip()}{words}"
-        sizes = {q.name: format_quantity(q.size, q.unit) for q in _divided(one.form)}
-        where |= dict.fromkeys(f"{name} stands for {name}/({size})" for name, size in sizes.items())
-    return f"missing {place.balance} = {text}" + (f", where {'; '.join(where)}" if where else "")
+        text += f"{sign}{f'{abs(addend.coefficient):.4g} {place.unit}'.rstrip()}{words}"
+        sizes = {q.name: format_quantity(q.size, q.unit) for q in _divided(addend.form)}
+        scales |= dict.fromkeys(
+            f"{name} stands for {name}/({size})" for name, size in sizes.items()
+        )
+    return f"missing {place.balance} = {text}" + (f", where {'; '.join(scales)}" if scales else "")
 
 
 def modelica_text(
@@ -68,14 +70,14 @@ def modelica_text(
         lines.append(f"  extends {place.base};")
         lines.append(f'  extends {effect}({says}, final balance="{place.balance}");')
     body = []
-    for i, one in enumerate(addends, 1):
-        reach = _rounded(_REACH * one.reach)
+    for i, addend in enumerate(addends, 1):
+        reach = _rounded(_REACH * addend.reach)
         lines.append(
             f'  parameter Real c_{i}(unit="{place.unit}", min={-reach:.6g}, max={reach:.6g}, '
-            f'nominal={_rounded(one.reach):.6g}) = {one.coefficient:.6g} "Coefficient of {one.form.words}";'
+            f'nominal={_rounded(addend.reach):.6g}) = {addend.coefficient:.6g} "Coefficient of {addend.form.words}";'
         )
-        body.append(f"c_{i}" if one.form.text == "1" else f"c_{i}*{one.form.text}")
-    sizes = {q.scale: q for one in addends for q in _divided(one.form)}
+        body.append(f"c_{i}" if addend.form.text == "1" else f"c_{i}*{addend.form.text}")
+    sizes = {q.scale: q for addend in addends for q in _divided(addend.form)}
     lines += ["protected"] if sizes else []
     lines += [
         f'  constant Real {n}(unit="{q.unit}") = {q.size:.6g} "Size of {q.name}";'

@@ -42,25 +42,31 @@ class FeltForms:
 def select_forms(rows: FeltForms, library: Sequence[Form]) -> list[Form]:
     """At most ``_MOST_FORMS``, in order of selection; where no further one helps, two are added at once."""
     picked: list[Form] = []
-    left = first = cross_validation_error(rows, [])
-    while len(picked) < _MOST_FORMS and left > _DESCRIBED_ERROR:
-        others = [f for f in library if f not in picked]
+    error = error_without = cross_validation_error(rows, [])
+    while len(picked) < _MOST_FORMS and error > _DESCRIBED_ERROR:
+        unused_forms = [f for f in library if f not in picked]
         for count in (1, 2):
-            further = list(combinations(others, count))
-            errors = [cross_validation_error(rows, [*picked, *one]) for one in further]
-            error = min(errors, default=np.inf)
-            if error < (1 - LEAST_GAIN) * left and left - error > _LEAST_GAIN_OF_TERM * first:
-                picked += further[int(np.argmin(errors))]
-                left = error
+            additions = list(combinations(unused_forms, count))
+            errors = [cross_validation_error(rows, [*picked, *addition]) for addition in additions]
+            new_error = min(errors, default=np.inf)
+            if (
+                new_error < (1 - LEAST_GAIN) * error
+                and error - new_error > _LEAST_GAIN_OF_TERM * error_without
+            ):
+                picked += additions[int(np.argmin(errors))]
+                error = new_error
                 break
         else:
             break
-    return [f for f in picked if _is_needed(rows, picked, f, left)]
+    return [f for f in picked if _is_needed(rows, picked, f, error)]
 
 
-def _is_needed(rows: FeltForms, picked: Sequence[Form], form: Form, left: float) -> bool:
-    others = [f for f in picked if f is not form]
-    return not others or cross_validation_error(rows, others) > (1 + LEAST_GAIN) * left
+def _is_needed(rows: FeltForms, picked: Sequence[Form], form: Form, error: float) -> bool:
+    remaining_forms = [f for f in picked if f is not form]
+    return (
+        not remaining_forms
+        or cross_validation_error(rows, remaining_forms) > (1 + LEAST_GAIN) * error
+    )
 
 
 def cross_validation_error(rows: FeltForms, forms: Sequence[Form]) -> float:
@@ -68,8 +74,8 @@ def cross_validation_error(rows: FeltForms, forms: Sequence[Form]) -> float:
     table = np.column_stack([rows.imitated, *rows.columns(forms)])
     moments = []
     for g in range(int(rows.group.max()) + 1):
-        own, value = table[rows.group == g], rows.residual[rows.group == g]
-        moments.append((own.T @ own, own.T @ value, float(value @ value)))
+        columns, residual = table[rows.group == g], rows.residual[rows.group == g]
+        moments.append((columns.T @ columns, columns.T @ residual, float(residual @ residual)))
     everything = sum(matrix for matrix, _, _ in moments)
     target = sum(right for _, right, _ in moments)
     total = 0.0
@@ -83,8 +89,8 @@ def coefficients_of(rows: FeltForms, forms: Sequence[Form]) -> tuple[Array, floa
     """Least squares of the forms beside the free parameters: (k,), and what is left, in noise variances."""
     table = np.column_stack([rows.imitated, *rows.columns(forms)])
     solution = _regularised_solution(table.T @ table, table.T @ rows.residual)
-    left = float(np.mean((rows.residual - table @ solution) ** 2))
-    return solution[rows.imitated.shape[1] :], left
+    mean_square = float(np.mean((rows.residual - table @ solution) ** 2))
+    return solution[rows.imitated.shape[1] :], mean_square
 
 
 def _regularised_solution(matrix: Array, right: Array) -> Array:
