@@ -32,14 +32,17 @@ def challenged(diagnosis: Diagnosis, files: Sequence[Path] = ()) -> list[list[Ca
     """
     if diagnosis.verdict.kind == "identified" and diagnosis.path:
         best = diagnosis.path[-1]
-        return [laws_of(diagnosis, best), *([one] for one in _runners_up(diagnosis, best))]
+        return [
+            laws_of(diagnosis, best),
+            *([c] for c in _runners_up(diagnosis, best)),
+        ]
     if diagnosis.verdict.kind == "none_missing":
         unchanged = _model_with(diagnosis, "", "", {}, files)
         faint = [
-            _model_with(diagnosis, one.effect, one.family, one.values, files)
-            for one in _faintest(diagnosis, files)
+            _model_with(diagnosis, c.effect, c.family, c.values, files)
+            for c in _faintest(diagnosis, files)
         ]
-        return [[one] for one in (unchanged, *faint) if one is not None]
+        return [[c] for c in (unchanged, *faint) if c is not None]
     return []
 
 
@@ -53,24 +56,24 @@ def _runners_up(diagnosis: Diagnosis, best: Candidate) -> list[Candidate]:
     def families(candidate: Candidate) -> frozenset[str]:
         return frozenset(family.get(effect, effect) for effect in candidate.effects)
 
-    each: dict[frozenset[str], Candidate] = {}
+    best_by_families: dict[frozenset[str], Candidate] = {}
     for candidate in diagnosis.candidates:
         if not families(candidate) >= families(best):
-            each.setdefault(families(candidate), candidate)
-    return list(each.values())[:_MOST]
+            best_by_families.setdefault(families(candidate), candidate)
+    return list(best_by_families.values())[:_MOST]
 
 
 def _faintest(diagnosis: Diagnosis, files: Sequence[Path]) -> list[DetectableEffect]:
     """Of each family the effect that the recordings show best, and of these the ones that must be strongest to show."""
-    known = check(diagnosis.data, diagnosis.model, files=files, workers=0).identifiability
-    shown = [
-        one
-        for family, one in known.families.items()
-        if one.least <= LARGEST_STRENGTH
+    identifiability = check(diagnosis.data, diagnosis.model, files=files, workers=0).identifiability
+    detectable_effects = [
+        e
+        for family, e in identifiability.families.items()
+        if e.least <= LARGEST_STRENGTH
         and family not in diagnosis.not_tried
-        and not is_ratio(one.effect)
+        and not is_ratio(e.effect)
     ]
-    return sorted(shown, key=lambda one: (-one.least, one.effect))[:_MOST]
+    return sorted(detectable_effects, key=lambda e: (-e.least, e.effect))[:_MOST]
 
 
 def _model_with(
@@ -98,8 +101,12 @@ def _model_with(
     if fitted is None:
         return None
     supposed = {n: Estimate(value, value, value, at_bound=True) for n, value in values.items()}
-    known = replace(fitted, model=composition.name, parameters={**fitted.parameters, **supposed})
-    return Candidate(effect, family, "", effects, tuple(values), known, equations=composition.text)
+    fitted_with_effect = replace(
+        fitted, model=composition.name, parameters={**fitted.parameters, **supposed}
+    )
+    return Candidate(
+        effect, family, "", effects, tuple(values), fitted_with_effect, equations=composition.text
+    )
 
 
 def _fitted_beside(

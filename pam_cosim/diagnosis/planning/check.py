@@ -94,7 +94,7 @@ class Check(Printed, Plain):
 
     @property
     def _parameters(self) -> dict[str, ParameterPrecision]:
-        return {known.name: known for known in self.identifiability.parameters}
+        return {p.name: p for p in self.identifiability.parameters}
 
     def __str__(self) -> str:
         lines = [
@@ -132,13 +132,16 @@ class Check(Printed, Plain):
             self.identifiability.visible,
             self.identifiability.hidden,
         )
-        shown = [_detection_limit_text(best[family]) for family in best if family in visible]
+        limit_lines = [_detection_limit_text(best[family]) for family in best if family in visible]
         faint = [
             _detection_limit_text(best[family])
             for family in best
             if family not in {*visible, *hidden}
         ]
-        lines = ["families of effects that would show, and from where on:", *(shown or ["  none"])]
+        lines = [
+            "families of effects that would show, and from where on:",
+            *(limit_lines or ["  none"]),
+        ]
         if faint:
             lines += ["families that would show only if they were stronger than usual:", *faint]
         if hidden:
@@ -175,13 +178,13 @@ class Check(Printed, Plain):
         ]
 
 
-def _detection_limit_text(one: DetectableEffect) -> str:
+def _detection_limit_text(effect: DetectableEffect) -> str:
     texts = {
-        name: _distinct_digits(value, one.absent[name], one.units[name])
-        for name, value in one.values.items()
+        name: _distinct_digits(value, effect.absent[name], effect.units[name])
+        for name, value in effect.values.items()
     }
     values = [f"{name} = {text}" for name, text in texts.items() if text]
-    return f"  {one.family:20} {one.effect}" + (f": {', '.join(values)}" if values else "")
+    return f"  {effect.family:20} {effect.effect}" + (f": {', '.join(values)}" if values else "")
 
 
 def _distinct_digits(value: float, absent: float, unit: str) -> str:
@@ -277,13 +280,15 @@ def check(
     option_of_rows = [belongs[i] for i in rows_of_series(objective, count)]
     rows = Rows(base, {f.name: f.unit for f in free}, probes, option_of_rows, samples)
     identifiability = rows.identifiability()
-    tried = {p.family for p in probes} | {f.family for f in failed}
+    probed_families = {p.family for p in probes} | {f.family for f in failed}
     return Check(
         data=data,
         model=name,
         identifiability=identifiability,
         no_place=tuple(
-            f for f in dict.fromkeys(e.family for e in available_effects) if f not in tried
+            f
+            for f in dict.fromkeys(e.family for e in available_effects)
+            if f not in probed_families
         ),
         helps=tuple(_helps(rows, identifiability)),
         failed=tuple(failed),
@@ -302,23 +307,28 @@ def _row_count(objective: Objective, data: DataSet) -> int:
     return math.ceil(CRITERIA.search.rows * objective.size / max(measured, 1))
 
 
-def _helps(rows: Rows, now: Identifiability) -> list[Help]:
+def _helps(rows: Rows, as_measured: Identifiability) -> list[Help]:
     """What each further measurement brings, the most useful first; none that brings nothing."""
-    helps = [_help(option, now, rows.identifiability(option)) for option in rows.further]
+    helps = [_help(option, as_measured, rows.identifiability(option)) for option in rows.further]
     useful = [h for h in helps if h.settles or h.sharper < _SHARPENING]
     return sorted(useful, key=lambda h: (-h.settles, h.sharper, h.option.text))
 
 
-def _help(option: Option, now: Identifiability, then: Identifiability) -> Help:
-    pairs = [tuple(sorted(pair)) for pair in then.pairs - now.pairs if pair <= now.visible]
-    known = {k.name for k in now.parameters if k.determined}
+def _help(option: Option, as_measured: Identifiability, with_option: Identifiability) -> Help:
+    pairs = [
+        tuple(sorted(pair))
+        for pair in with_option.pairs - as_measured.pairs
+        if pair <= as_measured.visible
+    ]
+    determined = {k.name for k in as_measured.parameters if k.determined}
     ratios = [
-        b.deviation / a.deviation for a, b in zip(now.parameters, then.parameters, strict=True)
+        b.deviation / a.deviation
+        for a, b in zip(as_measured.parameters, with_option.parameters, strict=True)
     ]
     return Help(
         option,
-        tuple(sorted(then.visible - now.visible)),
+        tuple(sorted(with_option.visible - as_measured.visible)),
         tuple((a, b) for a, b in sorted(pairs)),
-        tuple(k.name for k in then.parameters if k.determined and k.name not in known),
+        tuple(k.name for k in with_option.parameters if k.determined and k.name not in determined),
         float(np.exp(np.mean(np.log(ratios)))) if ratios else 1.0,
     )

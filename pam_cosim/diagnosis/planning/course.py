@@ -56,17 +56,17 @@ class Course:
         before = np.zeros(count, dtype=bool)
         rows = self._base(np.searchsorted(at, np.arange(count), side="right") - 1, time, limits)
         if self.is_stepped and len(at) > 1:
-            left = self._base(
+            values_before = self._base(
                 np.maximum(np.searchsorted(at, np.arange(count), side="left") - 1, 0), time, limits
             )
             can_step = np.isinf([limits.rates[name] for name in limits.moving])
-            jumps = (left != rows) & can_step
+            jumps = (values_before != rows) & can_step
             before[1:] = jumps.any(axis=1)[1:]
         rows = _slewed(rows, limits, time[1] - time[0])
         if before.any():
-            left = np.where(jumps, left, rows)[before]
+            values_before = np.where(jumps, values_before, rows)[before]
             places = np.flatnonzero(before)
-            rows = np.insert(rows, places, left, axis=0)
+            rows = np.insert(rows, places, values_before, axis=0)
             time = np.insert(time, places, time[before])
         values = {name: rows[:, i] for i, name in enumerate(limits.moving)}
         values |= {name: np.full(len(time), value) for name, value in self.constants.items()}

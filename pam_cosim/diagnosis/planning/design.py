@@ -72,31 +72,31 @@ def plan(
         raise InputError(
             "no input and no parameter differs in the recordings: state limits within which they may"
         )
-    left = members(diagnosis)
-    explanations = left if len(left) > 1 else challenged(diagnosis, files)
+    remaining_models = members(diagnosis)
+    explanations = remaining_models if len(remaining_models) > 1 else challenged(diagnosis, files)
     if len(explanations) < 2:
         raise InputError(
             f"the verdict is {diagnosis.verdict.kind}: there are no rivals to decide between"
         )
-    tests = len(left) < 2
+    tests = len(remaining_models) < 2
     recorded = [run for run in diagnosis.data.runs if not run.is_static]
     moves, rng = Moves(limits, recorded), np.random.default_rng(seed)
     with Rivals(explanations, diagnosis.data, limits, files, tests_first=tests) as rivals:
-        names = tuple(_name(one) for one in rivals.models)
+        names = tuple(_name(model) for model in rivals.models)
         say(Remark(f"looking for the run that separates {', '.join(names)}").message)
         search = _Search(rivals, moves, rng)
         planned: list[PlannedRun] = []
         for _ in range(runs):
             planned.append(search.best(names))
-        known = {**rivals.interface.inputs, **rivals.interface.parameters}
-        units = {n: known[n].unit for n in (*limits.inputs, *limits.parameters)}
+        variables = {**rivals.interface.inputs, **rivals.interface.parameters}
+        units = {n: variables[n].unit for n in (*limits.inputs, *limits.parameters)}
         sigma = dict(rivals.sigma)
     return RunPlan(
         diagnosis.data.title,
         diagnosis.model,
         diagnosis.verdict.kind,
         names,
-        tuple(tuple(_name(one) for one in models) for models in explanations),
+        tuple(tuple(_name(model) for model in models) for models in explanations),
         tuple(dict.fromkeys(_families(diagnosis, names))),
         tuple(planned),
         units | {n: diagnosis.data.signals[n].unit for n in sigma},
@@ -111,8 +111,8 @@ def _name(model: Candidate) -> str:
 
 
 def _families(diagnosis: Diagnosis, names: Sequence[str]) -> list[str]:
-    known = {c.effect: c.family for c in diagnosis.candidates}
-    return [known.get(effect, "") for name in names for effect in name.split(" + ")]
+    family_of = {c.effect: c.family for c in diagnosis.candidates}
+    return [family_of.get(effect, "") for name in names for effect in name.split(" + ")]
 
 
 @dataclass
@@ -128,7 +128,7 @@ class _Search:
     def best(self, names: Sequence[str]) -> PlannedRun:
         """The next run to make."""
         drawn = [self._scored(self.moves.drawn(self.rng)) for _ in range(_DRAWN_COURSES)]
-        scored = [*drawn, *(self._scored(one) for one in self.moves.recorded())]
+        scored = [*drawn, *(self._scored(variation) for variation in self.moves.recorded())]
         usable = [entry for entry in scored if entry is not None]
         if not usable:
             raise SimulationFailure(
@@ -149,10 +149,12 @@ class _Search:
         )
 
     def _child(self, parents: Sequence[Course]) -> Course:
-        one = parents[int(self.rng.integers(len(parents)))]
+        child = parents[int(self.rng.integers(len(parents)))]
         if len(parents) > 1 and self.rng.integers(3) == 0:
-            one = self.moves.joined(self.rng, one, parents[int(self.rng.integers(len(parents)))])
-        return self.moves.changed(self.rng, one)
+            child = self.moves.joined(
+                self.rng, child, parents[int(self.rng.integers(len(parents)))]
+            )
+        return self.moves.changed(self.rng, child)
 
     def _scored(self, course: Course) -> tuple[float, Course] | None:
         self.tried += 1
@@ -174,10 +176,10 @@ class _Search:
         rows = len(run.time)
         predicted = {
             name: {
-                signal: one.values[i * rows : (i + 1) * rows]
+                signal: prediction.values[i * rows : (i + 1) * rows]
                 for i, signal in enumerate(self.rivals.sigma)
             }
-            for name, one in zip(names, predictions, strict=True)
+            for name, prediction in zip(names, predictions, strict=True)
         }
         pairs = [
             Separation(names[i], names[j], float(chi2))
@@ -195,7 +197,10 @@ def _table(run: Run) -> dict[str, list[float]]:
     slope = np.divide(
         np.diff(columns, axis=0), step, out=np.full_like(columns[1:], np.inf), where=~jump
     )
-    kept = np.ones(len(run.time), dtype=bool)
+    is_needed = np.ones(len(run.time), dtype=bool)
     bends = ~np.isclose(slope[1:], slope[:-1], rtol=1e-6, atol=1e-12).all(axis=1)
-    kept[1:-1] = bends | jump[1:, 0] | jump[:-1, 0]
-    return {"time": run.time[kept].tolist(), **{n: v[kept].tolist() for n, v in run.inputs.items()}}
+    is_needed[1:-1] = bends | jump[1:, 0] | jump[:-1, 0]
+    return {
+        "time": run.time[is_needed].tolist(),
+        **{n: v[is_needed].tolist() for n, v in run.inputs.items()},
+    }

@@ -79,8 +79,10 @@ def with_all_outputs(simulator: AnySimulator, data: DataSet) -> AllOutputs:
         except SimulationFailure:
             continue
         name = f"{varied.name} #{number}"
-        same = {n: s for n, s in data.signals.items() if s.fitted and varied.sample_count(n)}
-        runs.append(replace(_as_modelled(varied, model, same), name=name))
+        measured_signals = {
+            n: s for n, s in data.signals.items() if s.fitted and varied.sample_count(n)
+        }
+        runs.append(replace(_as_modelled(varied, model, measured_signals), name=name))
         for measured_too in runs[-1].measurements:
             option[name, measured_too] = Option("run", f"a run like {varied.name}: {change}")
     return AllOutputs(replace(data, signals=signals, runs=tuple(runs)), option)
@@ -109,9 +111,9 @@ def _unmeasured(
     signals = {}
     for name, output in simulator.interface.outputs.items():
         if name not in data.signals:
-            every = np.concatenate([model[name] for model in modelled])
-            span = float(every.max() - every.min())
-            if span > REST_RANGE * float(np.abs(every).max()):
+            values = np.concatenate([model[name] for model in modelled])
+            span = float(values.max() - values.min())
+            if span > REST_RANGE * float(np.abs(values).max()):
                 signals[name] = Signal(name, output.unit, _ASSUMED_NOISE * span, estimated=True)
     return signals
 
@@ -124,6 +126,6 @@ def _varied_runs(data: DataSet, discrete: Collection[str]) -> Iterator[tuple[Run
     """The run with most samples, made once more with one thing changed that is not ``discrete``, as a switch is."""
     longest = max(data.fit_runs, key=lambda run: len(run.time))
     factors = FACTORS
-    for one in variations(data, [longest], (min(factors), max(factors))):
-        if not any(name in discrete for name in one.factors):
-            yield one.run, one.change
+    for variation in variations(data, [longest], (min(factors), max(factors))):
+        if not any(name in discrete for name in variation.factors):
+            yield variation.run, variation.change

@@ -110,28 +110,28 @@ class Identifiability:
     def families(self) -> dict[str, DetectableEffect]:
         """By family, the effect of it that is shown best."""
         best: dict[str, DetectableEffect] = {}
-        for one in self.effects:
-            best.setdefault(one.family, one)
+        for effect in self.effects:
+            best.setdefault(effect.family, effect)
         return best
 
     @property
     def visible(self) -> frozenset[str]:
         """Families of which one effect is shown at its stated strength."""
-        return frozenset(name for name, one in self.families.items() if one.least <= 1)
+        return frozenset(name for name, effect in self.families.items() if effect.least <= 1)
 
     @property
     def hidden(self) -> tuple[str, ...]:
         """Families of which no effect is shown, however strong."""
-        return tuple(name for name, one in self.families.items() if math.isinf(one.least))
+        return tuple(name for name, effect in self.families.items() if math.isinf(effect.least))
 
     @property
     def pairs(self) -> frozenset[frozenset[str]]:
         """Pairs of families that are shown and told apart."""
-        known, alike = (
+        visible, alike = (
             sorted(self.visible),
             {frozenset((a.family, a.other_family)) for a in self.alike},
         )
-        return frozenset(frozenset((a, b)) for a in known for b in known if a < b) - alike
+        return frozenset(frozenset((a, b)) for a in visible for b in visible if a < b) - alike
 
 
 class Rows:
@@ -163,27 +163,27 @@ class Rows:
         """What could be measured beyond what was."""
         return [option for option in dict.fromkeys(self.option) if option != AS_MEASURED]
 
-    def identifiability(self, *further: Option) -> Identifiability:
+    def identifiability(self, *options: Option) -> Identifiability:
         """What can be told by what was measured, and by something further."""
-        chosen = {AS_MEASURED, *further}
+        chosen = {AS_MEASURED, *options}
         at = np.array([option in chosen for option in self.option])
         samples = sum(self.samples[option] for option in chosen)
         price = math.log(max(samples, CRITERIA.evidence.least_samples))
         slopes = np.vstack([self.base.slopes[at], self._bounds])
-        own = np.linalg.qr(slopes)[0]
+        basis = np.linalg.qr(slopes)[0]
         moves = {
-            p.effect: _orthogonal_part(own, self._among(at, self._moves(p))) for p in self.probes
+            p.effect: _orthogonal_part(basis, self._among(at, self._moves(p))) for p in self.probes
         }
         sizes = {
-            p.effect: _sizes(_orthogonal_part(own, self._among(at, p.courses(self.base))))
+            p.effect: _sizes(_orthogonal_part(basis, self._among(at, p.courses(self.base))))
             for p in self.probes
         }
-        shown = sorted(
+        detectable_effects = sorted(
             (_detectability(p, sizes[p.effect], price) for p in self.probes),
             key=lambda s: (s.least, s.effect),
         )
         parameters, confused = self._known(slopes)
-        result = Identifiability(parameters, confused, tuple(shown), ())
+        result = Identifiability(parameters, confused, tuple(detectable_effects), ())
         return replace(result, alike=tuple(self._alike(result, moves, price)))
 
     def _among(self, at: NDArray[np.bool_], columns: Array) -> Array:
@@ -193,14 +193,14 @@ class Rows:
     def _moves(self, probe: StatedEffect) -> Array:
         """(rows, 1 + k) what an effect does as a whole at its stated strength, and by each of its parameters."""
         names = {f.name for f in probe.strengths.own}
-        own = [i for i, name in enumerate(probe.linear.names) if name in names]
-        return np.column_stack([probe.courses(self.base)[:, 0], probe.linear.slopes[:, own]])
+        columns = [i for i, name in enumerate(probe.linear.names) if name in names]
+        return np.column_stack([probe.courses(self.base)[:, 0], probe.linear.slopes[:, columns]])
 
     def _known(self, slopes: Array) -> tuple[tuple[ParameterPrecision, ...], tuple[Confused, ...]]:
         covariance = np.linalg.inv(slopes.T @ slopes)
         deviation = np.sqrt(np.diag(covariance))
         names, base = self.base.names, self.base
-        known = [
+        parameters = [
             ParameterPrecision(
                 name,
                 self.units[name],
@@ -213,29 +213,32 @@ class Rows:
         correlation = covariance / np.outer(deviation, deviation)
         pairs = zip(*np.triu_indices(len(names), 1), strict=True)
         confused = [(names[i], names[j], float(correlation[i, j])) for i, j in pairs]
-        return tuple(known), tuple(c for c in confused if abs(c[2]) > STRONG_CORRELATION)
+        return tuple(parameters), tuple(c for c in confused if abs(c[2]) > STRONG_CORRELATION)
 
     def _alike(
         self, result: Identifiability, moves: Mapping[str, Array], price: float
     ) -> list[ConfusedPair]:
         """Pairs of visible families of which one may be taken for the other, the worse way round."""
-        own = {p.effect: p.strengths for p in self.probes}
-        count = {name: len(strengths.own) for name, strengths in own.items()}
+        strengths_of_effect = {p.effect: p.strengths for p in self.probes}
+        count = {name: len(strengths.own) for name, strengths in strengths_of_effect.items()}
         spaces = {p.effect: _orthonormal(moves[p.effect]) for p in self.probes}
         worst: dict[frozenset[str], ConfusedPair] = {}
         for family, best in result.families.items():
             if family not in result.visible:
                 continue
-            whole = moves[best.effect][:, 0]
+            slopes_of_best = moves[best.effect][:, 0]
             for p in self.probes:
                 if p.family == family or p.family not in result.visible:
                     continue
-                left = float(np.linalg.norm(_orthogonal_part(spaces[p.effect], whole)))
-                needed = CRITERIA.evidence.very_strong - price * (
+                remaining_size = float(
+                    np.linalg.norm(_orthogonal_part(spaces[p.effect], slopes_of_best))
+                )
+                required_evidence = CRITERIA.evidence.very_strong - price * (
                     count[p.effect] - count[best.effect]
                 )
-                least, pair = _detectable_at(needed, left), frozenset((family, p.family))
-                if least > 0 and not own[best.effect].within_bounds(least):
+                least = _detectable_at(required_evidence, remaining_size)
+                pair = frozenset((family, p.family))
+                if least > 0 and not strengths_of_effect[best.effect].within_bounds(least):
                     least = math.inf
                 if least > 1 and (pair not in worst or least > worst[pair].least):
                     worst[pair] = ConfusedPair(best.effect, family, p.effect, p.family, least)
@@ -248,8 +251,8 @@ def _sizes(courses: Array) -> list[float]:
 
 def _detectability(probe: StatedEffect, sizes: Sequence[float], price: float) -> DetectableEffect:
     """How well an effect is shown that has these sizes, as ``probing.detectable_strength`` takes them."""
-    needed = math.sqrt(CRITERIA.evidence.very_strong + price * len(probe.strengths.own))
-    least = max(detectable_strength(sizes, needed), WEAKEST)
+    required_size = math.sqrt(CRITERIA.evidence.very_strong + price * len(probe.strengths.own))
+    least = max(detectable_strength(sizes, required_size), WEAKEST)
     if not probe.strengths.within_bounds(least):
         least = math.inf
     values, absent = _strength_parameters(probe.strengths, least), probe.strengths.at(0.0)
@@ -268,23 +271,23 @@ def _strength_parameters(strengths: Strengths, strength: float) -> dict[str, flo
     """The parameters that tell of an effect's strength, at one."""
     if not math.isfinite(strength):
         return {}
-    there, stated, null_value = strengths.at(strength), strengths.at(1.0), strengths.at(0.0)
-    return {name: value for name, value in there.items() if stated[name] != null_value[name]}
+    values, stated, null_value = strengths.at(strength), strengths.at(1.0), strengths.at(0.0)
+    return {name: value for name, value in values.items() if stated[name] != null_value[name]}
 
 
-def _orthogonal_part(own: Array, columns: Array) -> Array:
+def _orthogonal_part(basis: Array, columns: Array) -> Array:
     """What is left of columns beside orthonormal ones."""
-    return np.asarray(columns - own @ (own.T @ columns))
+    return np.asarray(columns - basis @ (basis.T @ columns))
 
 
 def _orthonormal(columns: Array) -> Array:
     """(m, j) directions of columns that are not small beside the longest one."""
-    left, singular, _ = np.linalg.svd(columns, full_matrices=False)
-    return np.asarray(left[:, singular > REST_RANGE * singular.max(initial=0.0)])
+    directions, singular, _ = np.linalg.svd(columns, full_matrices=False)
+    return np.asarray(directions[:, singular > REST_RANGE * singular.max(initial=0.0)])
 
 
-def _detectable_at(needed: float, size: float) -> float:
+def _detectable_at(required_evidence: float, size: float) -> float:
     """The strength at which something of this size (root of a sum of squares) is so much evidence."""
-    if needed <= 0:
+    if required_evidence <= 0:
         return 0.0
-    return math.sqrt(needed) / size if size > 0 else math.inf
+    return math.sqrt(required_evidence) / size if size > 0 else math.inf

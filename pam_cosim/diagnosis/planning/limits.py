@@ -107,10 +107,10 @@ def _ranges(
     inputs = {name: _span(runs, name) for name in first.inputs if name != BRANCH}
     parameters = _varied_parameters(runs)
     outputs: dict[str, Range] = {}
-    known = sorted(name for name in first.parameters if name not in data.free_names)
+    parameter_names = sorted(name for name in first.parameters if name not in data.free_names)
     # a name of several is that of an input first, then of a parameter
     owners = dict.fromkeys(inputs, inputs)
-    for names, ranges in ((known, parameters), (data.fitted_signals, outputs)):
+    for names, ranges in ((parameter_names, parameters), (data.fitted_signals, outputs)):
         owners |= {name: ranges for name in names if name not in owners}
     for name, limits in stated.items():
         _check_limits(name, limits, list(owners))
@@ -135,12 +135,12 @@ def _constant_inputs(
     return frozenset({*held, *still})
 
 
-def _check_limits(name: str, limits: Range, known: Sequence[str]) -> None:
+def _check_limits(name: str, limits: Range, names: Sequence[str]) -> None:
     low, high = limits
     if not low <= high:
         raise InputError(f"the limits of '{name}' begin above their end")
-    if name not in known:
-        raise InputError(f"there is nothing '{name}' to limit; {did_you_mean(name, list(known))}")
+    if name not in names:
+        raise InputError(f"there is nothing '{name}' to limit; {did_you_mean(name, list(names))}")
 
 
 def _usual_length(runs: Sequence[Run]) -> float:

@@ -29,19 +29,22 @@ def _alike(diagnosis: Diagnosis, best: Candidate, family: dict[str, str]) -> lis
 
     A law with more parameters bends towards any rival until it is measured everywhere.
     """
-    own, limit = _families(best, family), _chi2(best) + CRITERIA.evidence.very_strong
+    families_of_best, limit = _families(best, family), _chi2(best) + CRITERIA.evidence.very_strong
     fitted = [
         c
         for c in diagnosis.candidates
         if c.effects != best.effects and not c.brief and not c.has_general_member
     ]
-    near = [
+    alternatives = [
         c
         for c in fitted
-        if _families(c, family) == own and len(c.fit.parameters) <= len(best.fit.parameters)
+        if _families(c, family) == families_of_best
+        and len(c.fit.parameters) <= len(best.fit.parameters)
     ]
-    near = sorted((c for c in near if _chi2(c) <= limit), key=lambda c: (_chi2(c), c.effects))
-    return near[: _MOST_LAWS - 1]
+    alternatives = sorted(
+        (c for c in alternatives if _chi2(c) <= limit), key=lambda c: (_chi2(c), c.effects)
+    )
+    return alternatives[: _MOST_LAWS - 1]
 
 
 def _families(candidate: Candidate, family: dict[str, str]) -> list[str]:

@@ -101,7 +101,7 @@ class Moves:
             n: _within(float(run.inputs[n][0]), self.limits.inputs[n]) for n in self.limits.constant
         }
         parameters = {
-            n: _within(run.parameters[n], one) for n, one in self.limits.parameters.items()
+            n: _within(run.parameters[n], limits) for n, limits in self.limits.parameters.items()
         }
         return Course(
             seconds[rows] / self.limits.seconds,
@@ -145,8 +145,8 @@ class Moves:
         """Another value of input ``j`` at knot ``i``: near the present one, or anything of its range."""
         low, high = self._ranges[j]
         levels = course.levels.copy()
-        near = float(np.clip(levels[i, j] + rng.normal(0.0, 0.2) * (high - low), low, high))
-        levels[i, j] = near if rng.random() < 0.5 else self._value(rng, (low, high))
+        nearby_value = float(np.clip(levels[i, j] + rng.normal(0.0, 0.2) * (high - low), low, high))
+        levels[i, j] = nearby_value if rng.random() < 0.5 else self._value(rng, (low, high))
         return replace(course, levels=levels)
 
     def _with_knot(self, rng: Random, course: Course) -> Course:
@@ -175,14 +175,14 @@ class Moves:
         row = int(rng.integers(len(run.time)))
         low, high = self._ranges.T
         values = np.clip([run.inputs[name][row] for name in self.limits.moving], low, high)
-        for i, one in enumerate(self._ranges):
+        for i, limits in enumerate(self._ranges):
             if rng.integers(3) == 0:
-                values[i] = self._value(rng, (float(one[0]), float(one[1])))
+                values[i] = self._value(rng, (float(limits[0]), float(limits[1])))
         return np.asarray(values)
 
-    def _value(self, rng: Random, one: Range) -> float:
+    def _value(self, rng: Random, limits: Range) -> float:
         """An end of a range, or anything between, each as likely."""
-        return (one[0], one[1], float(rng.uniform(*one)))[int(rng.integers(3))]
+        return (limits[0], limits[1], float(rng.uniform(*limits)))[int(rng.integers(3))]
 
     def _wave(self, rng: Random) -> Array:
         """(4,) a sine, slow or fast, or one that gets faster or slower."""
@@ -198,7 +198,7 @@ class Moves:
         )
 
     def _each(self, rng: Random, ranges: Mapping[str, Range]) -> dict[str, float]:
-        return {name: float(rng.uniform(*one)) for name, one in ranges.items()}
+        return {name: float(rng.uniform(*limits)) for name, limits in ranges.items()}
 
 
 def _with_row(rows: Array, i: int, values: Array) -> Array:
@@ -215,5 +215,5 @@ def _with_moved_knot(rng: Random, course: Course, i: int) -> Course:
     return replace(course, knots=knots)
 
 
-def _within(value: float, one: Range) -> float:
-    return min(max(value, one[0]), one[1])
+def _within(value: float, limits: Range) -> float:
+    return min(max(value, limits[0]), limits[1])

@@ -46,9 +46,9 @@ class Rivals:
         self.models = tuple(model for models in explanations for model in models)
         self.data, self.limits = data, limits
         of = [number for number, models in enumerate(explanations) for _ in models]
-        every = itertools.combinations(range(len(self.models)), 2)
+        all_pairs = itertools.combinations(range(len(self.models)), 2)
         self.pairs = [
-            (i, j) for i, j in every if of[i] != of[j] and not (tests_first and of[i] > 0)
+            (i, j) for i, j in all_pairs if of[i] != of[j] and not (tests_first and of[i] > 0)
         ]
         self._files, self._stack = files, ExitStack()
         self._hypotheses: list[Hypothesis] = []
@@ -56,7 +56,8 @@ class Rivals:
     def __enter__(self) -> Rivals:
         with ExitStack() as stack:
             self._hypotheses = [
-                stack.enter_context(Hypothesis(one, self.data, self._files)) for one in self.models
+                stack.enter_context(Hypothesis(model, self.data, self._files))
+                for model in self.models
             ]
             self._stack = stack.pop_all()
         return self
@@ -87,14 +88,10 @@ class Rivals:
     def predictions(self, run: Run, tolerance: float | None = None) -> list[Prediction] | None:
         """What each model predicts of a run; None where one breaks down or a signal leaves its limits."""
         try:
-            predictions = [one.predict(run, tolerance) for one in self._hypotheses]
+            predictions = [p.predict(run, tolerance) for p in self._hypotheses]
         except SimulationFailure:
             return None
-        return (
-            predictions
-            if all(self._is_allowed(one, len(run.time)) for one in predictions)
-            else None
-        )
+        return predictions if all(self._is_allowed(p, len(run.time)) for p in predictions) else None
 
     def separations(self, predictions: Sequence[Prediction], weight: float = 1.0) -> Array:
         """(pairs,) chi-square that the worse of two models is expected to leave more than the other.
@@ -106,7 +103,7 @@ class Rivals:
             predictions: by each model.
             weight: number of samples that each row stands for.
         """
-        scaled = [replace(one, sigma=one.sigma / weight**0.5) for one in predictions]
+        scaled = [replace(p, sigma=p.sigma / weight**0.5) for p in predictions]
         models = self._hypotheses
         return np.array([
             min(models[j].refitted_miss(scaled[i], scaled[j]), models[i].refitted_miss(scaled[j], scaled[i]))

@@ -64,7 +64,7 @@ class PlannedRun:
     @property
     def chi2(self) -> float:
         """Of the pair that is least apart."""
-        return min(one.chi2 for one in self.separations)
+        return min(s.chi2 for s in self.separations)
 
     @property
     def inputs(self) -> dict[str, Array]:
@@ -126,13 +126,13 @@ class RunPlan(Printed, Tabular):
         first = self.runs[0].separations
         sums = [sum(run.separations[i].chi2 for run in self.runs) for i in range(len(first))]
         return tuple(
-            Separation(one.first, one.second, chi2) for one, chi2 in zip(first, sums, strict=True)
+            Separation(s.first, s.second, chi2) for s, chi2 in zip(first, sums, strict=True)
         )
 
     @property
     def chi2(self) -> float:
         """Expected between the two rivals that are least apart."""
-        return min(one.chi2 for one in self.separations)
+        return min(s.chi2 for s in self.separations)
 
     @property
     def tests(self) -> bool:
@@ -142,20 +142,20 @@ class RunPlan(Printed, Tabular):
     @property
     def decides(self) -> bool:
         """Whether every pair of rivals is expected to be predictions apart by very strong evidence."""
-        return all(one.decides for one in self.separations)
+        return all(s.decides for s in self.separations)
 
     @property
     def expectation(self) -> str:
         """What the runs are expected to decide, in a sentence."""
         runs = "this run" if len(self.runs) == 1 else f"these {len(self.runs)} runs"
-        least = min(self.separations, key=lambda one: one.chi2)
+        least = min(self.separations, key=lambda s: s.chi2)
         strong = CRITERIA.evidence.very_strong
         if self.decides and self.tests:
             says = f"{runs} should test {self._tested}"
         elif self.decides:
             says = f"{runs} should decide between {listed(_named(models) for models in self.explanations)}"
         else:
-            close = [f"{one.first} and {one.second}" for one in self.separations if not one.decides]
+            close = [f"{s.first} and {s.second}" for s in self.separations if not s.decides]
             says = f"{runs} will not decide between {listed(close)}: measure another signal, or widen the limits"
         return (
             f"{says[0].upper()}{says[1:]}: whichever is right, the others are expected to leave a chi-square that "
@@ -171,9 +171,9 @@ class RunPlan(Printed, Tabular):
 
     @property
     def _tested(self) -> str:
-        (own, *others) = self.explanations
-        strength = _STRENGTH if own == (NO_EFFECT,) else ""
-        return f"{_named(own)} against {listed(_named(models) for models in others)}{strength}"
+        (tested_models, *alternatives) = self.explanations
+        strength = _STRENGTH if tested_models == (NO_EFFECT,) else ""
+        return f"{_named(tested_models)} against {listed(_named(models) for models in alternatives)}{strength}"
 
     @property
     def _beside(self) -> str:
@@ -200,8 +200,7 @@ class RunPlan(Printed, Tabular):
             self.expectation,
         ]
         lines += [
-            f"  {one.first} against {one.second}: chi-square {one.chi2:.3g}"
-            for one in self.separations
+            f"  {s.first} against {s.second}: chi-square {s.chi2:.3g}" for s in self.separations
         ]
         for number, run in enumerate(self.runs, 1):
             lines.append(
@@ -212,8 +211,8 @@ class RunPlan(Printed, Tabular):
 
 def _named(models: Sequence[str]) -> str:
     """The best law of an explanation, and the others that fit as well."""
-    best, *others = models
-    return f"{best} (or {', '.join(others)})" if others else best
+    best, *equivalent_laws = models
+    return f"{best} (or {', '.join(equivalent_laws)})" if equivalent_laws else best
 
 
 def _settings(parameters: Mapping[str, float], units: Mapping[str, str]) -> str:
