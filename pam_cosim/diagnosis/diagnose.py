@@ -117,8 +117,12 @@ class Diagnosis(Printed, Tabular):
     @property
     def rival_models(self) -> tuple[Candidate, ...]:
         """The models that are left, best first; none where the verdict leaves no choice."""
-        known = {c.effects: c for c in (*reversed(self.candidates), *self.path)}
-        return tuple(known[effects] for effects in self.rivals if effects in known)
+        candidates_by_effects = {c.effects: c for c in (*reversed(self.candidates), *self.path)}
+        return tuple(
+            candidates_by_effects[effects]
+            for effects in self.rivals
+            if effects in candidates_by_effects
+        )
 
     @property
     def final(self) -> Fit:
@@ -150,17 +154,17 @@ class Diagnosis(Printed, Tabular):
 
     def frame_columns(self) -> Columns:
         """A row for each candidate, best first; ``final.to_frame()`` has the parameters."""
-        tried = self.candidates
+        candidates = self.candidates
         return {
-            "effects": ([" + ".join(one.effects) for one in tried], None),
-            "family": ([one.family for one in tried], None),
-            "balance": ([one.balance for one in tried], None),
+            "effects": ([" + ".join(c.effects) for c in candidates], None),
+            "family": ([c.family for c in candidates], None),
+            "balance": ([c.balance for c in candidates], None),
             **{
-                f"chi2_{role}": ([one.fit.comparison.chi2_reduced(role) for one in tried], "")
+                f"chi2_{role}": ([c.fit.comparison.chi2_reduced(role) for c in candidates], "")
                 for role in ROLES
             },
-            "delta_bic": ([one.delta_bic for one in tried], ""),
-            "probability": ([one.probability for one in tried], ""),
+            "delta_bic": ([c.delta_bic for c in candidates], ""),
+            "probability": ([c.probability for c in candidates], ""),
         }
 
     @property
@@ -182,7 +186,7 @@ class Diagnosis(Printed, Tabular):
     @property
     def _final(self) -> dict[str, object]:
         """The model that the verdict is about: what it is made of, its values and its scores."""
-        corrections = [str(one) for one in corrections_of(self.data, self.final.values_and_starts)]
+        corrections = [str(c) for c in corrections_of(self.data, self.final.values_and_starts)]
         return {
             "model": self.model,
             "effects": [c.effect for c in self.path],
@@ -354,18 +358,17 @@ def _convention(simulator: AnySimulator, data: DataSet, base: Fit) -> Convention
     if not leaves_structure(base):
         return None
     free = [
-        replace(one, start=base.values[one.name])
-        for one in base_parameters(data, simulator.interface)
+        replace(f, start=base.values[f.name]) for f in base_parameters(data, simulator.interface)
     ]
 
     def fitted(other: DataSet) -> Sequence[RunComparison]:
         runs = {"", *(run.name for run in other.runs)}
-        own = [one for one in free if one.run in runs]
-        return fit(simulator, other, own, options=FitOptions(rules=False)).comparison.runs
+        free_of_runs = [f for f in free if f.run in runs]
+        return fit(simulator, other, free_of_runs, options=FitOptions(rules=False)).comparison.runs
 
-    known = partial(simulate_runs, simulator, values=base.values_and_starts)
+    simulated = partial(simulate_runs, simulator, values=base.values_and_starts)
     return likely_convention(
-        data, base.comparison.units, known, base.comparison.runs, fitted if free else None
+        data, base.comparison.units, simulated, base.comparison.runs, fitted if free else None
     )
 
 
@@ -408,13 +411,13 @@ def _excluded_and_expected(
         return InputError(message)
 
     def effects(key: str) -> frozenset[str]:
-        found = frozenset[str]()
+        named_effects = frozenset[str]()
         for name in names[key]:
             try:
-                found |= effects_named(available, name)
+                named_effects |= effects_named(available, name)
             except ValueError as problem:
                 raise error(key, name, f"{key}: {problem}") from None
-        return found
+        return named_effects
 
     excluded, expected = effects("exclude"), effects("expect")
     for name in names["expect"]:
@@ -448,8 +451,8 @@ def _not_tried(
     if not probed:
         return {}
     failed = {f.family for f in search.failed}
-    seen = {search.family[p.effect] for p in result.probes if not p.silent}
-    seen |= {
+    families_considered = {search.family[p.effect] for p in result.probes if not p.silent}
+    families_considered |= {
         search.family[name] for c in result.tried for name in c.effects if name in search.family
     }
     late = {search.family[name] for names in result.untried for name in names}
@@ -462,7 +465,7 @@ def _not_tried(
             reasons[family] = (
                 "a limit ended the search" if family in late else "the model has no place for them"
             )
-        elif family in probed - seen:
+        elif family in probed - families_considered:
             reasons[family] = f"nothing that was fitted{at_rest} shows them"
     return reasons
 
