@@ -100,21 +100,21 @@ def merged(
 
     What both have is taken from the first.
     """
-    moved = added.time + offset
+    added_time = added.time + offset
     low, high = main.time[0], main.time[-1]
     if added.inputs:
-        low, high = max(low, moved[0]), min(high, moved[-1])
+        low, high = max(low, added_time[0]), min(high, added_time[-1])
     if not low < high:
         raise ClockError("the two files have no time in common")
     rows = np.flatnonzero((main.time >= low) & (main.time <= high))
-    further_rows = np.flatnonzero((moved >= low) & (moved <= high))
+    further_rows = np.flatnonzero((added_time >= low) & (added_time <= high))
     if not len(further_rows):
         raise ClockError("the two files have no time in common")
     time = main.time[rows]
-    place, ahead = _places_in(time, moved[further_rows])
+    place, ahead = _places_in(time, added_time[further_rows])
     new, shared = further_rows[place < 0], further_rows[place >= 0]
     place = place[place >= 0]
-    times = np.concatenate([time, moved[new]])
+    times = np.concatenate([time, added_time[new]])
     order = np.lexsort((np.concatenate([np.ones(len(time)), ~ahead]), times))
 
     def joined(values: Array, added_values: Array) -> Array:
@@ -125,11 +125,11 @@ def merged(
         return joined(at_rows, values[new])
 
     inputs = {
-        name: joined(v[rows], _interpolated(main.time, v, moved[new], interpolation))
+        name: joined(v[rows], _interpolated(main.time, v, added_time[new], interpolation))
         for name, v in main.inputs.items()
     }
     inputs |= {
-        name: of_second(v, _interpolated(moved, v, time, interpolation))
+        name: of_second(v, _interpolated(added_time, v, time, interpolation))
         for name, v in added.inputs.items()
         if name not in inputs
     }
@@ -154,9 +154,9 @@ def _places_in(time: Array, times: Array) -> tuple[NDArray[np.intp], NDArray[np.
     place = np.searchsorted(time, times, side="right") - 1
     is_present = (place >= 0) & (time[np.maximum(place, 0)] == times)
     begins_step = is_present & np.append(times[1:] == times[:-1], False)
-    both = begins_step & (place > 0) & (time[np.maximum(place - 1, 0)] == times)
-    new = ~is_present | (begins_step & ~both)
-    return np.where(new, -1, place - both), begins_step[new]
+    is_second_row = begins_step & (place > 0) & (time[np.maximum(place - 1, 0)] == times)
+    is_new_time = ~is_present | (begins_step & ~is_second_row)
+    return np.where(is_new_time, -1, place - is_second_row), begins_step[is_new_time]
 
 
 def _interpolated(time: Array, values: Array, at: Array, interpolation: Interpolation) -> Array:
@@ -166,8 +166,8 @@ def _interpolated(time: Array, values: Array, at: Array, interpolation: Interpol
 
 
 def _finite_samples(time: Array, values: Array) -> tuple[Array, Array]:
-    there = np.isfinite(values)
-    return time[there], values[there]
+    is_finite = np.isfinite(values)
+    return time[is_finite], values[is_finite]
 
 
 def _offset_on_grid(t: Array, y: Array, s: Array, z: Array, step: float) -> float:

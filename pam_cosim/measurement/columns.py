@@ -60,38 +60,44 @@ def _names_in(formula: str) -> list[str]:
     return [quoted or bare for quoted, bare in _NAME.findall(formula)]
 
 
-def with_columns(table: Table, columns: Columns, needed: Collection[str] = ()) -> Table:
+def with_columns(table: Table, columns: Columns, required: Collection[str] = ()) -> Table:
     """The table with the columns that ``[columns]`` describes; those they are made of are left out.
 
-    A column of time that is ``needed`` stays, also where a formula reads it.
+    A column of time that is required stays, also where a formula reads it.
 
     Args:
         table: as the file has it.
         columns: what ``[columns]`` states.
-        needed: names of columns that must not lack a sample.
+        required: names of columns that must have every sample.
 
     Raises:
         InputError: a column that is not in the file, a formula that cannot be read or whose units do not fit, or that
             gives no number where one is needed; with the place.
     """
-    made: dict[str, Column] = {}
+    derived_columns: dict[str, Column] = {}
     used: set[str] = set()
     notes: list[str] = []
     time = table.columns.get(TIME)
-    staying = {time.heading} if time is not None and TIME in needed else set()
+    staying = {time.heading} if time is not None and TIME in required else set()
     for name, entry in columns.items():
         if entry.formula is not None:
-            derived, sources = _derived(table, made, name, entry, entry.formula)
-            made[name], remarks = _without_undefined(table, derived, entry, sources, needed)
+            derived, sources = _derived(table, derived_columns, name, entry, entry.formula)
+            derived_columns[name], remarks = _without_undefined(
+                table, derived, entry, sources, required
+            )
             notes += remarks
             used |= sources.keys() - staying
         else:
-            made[name] = _mapped(_renamed(table, name, entry), entry)
-            used.add(made[name].heading)
-    rest = {
-        name: c for name, c in table.columns.items() if name not in made and c.heading not in used
+            derived_columns[name] = _mapped(_renamed(table, name, entry), entry)
+            used.add(derived_columns[name].heading)
+    unused_columns = {
+        name: c
+        for name, c in table.columns.items()
+        if name not in derived_columns and c.heading not in used
     }
-    return replace(table, columns={**rest, **made}, notes=(*table.notes, *notes))
+    return replace(
+        table, columns={**unused_columns, **derived_columns}, notes=(*table.notes, *notes)
+    )
 
 
 def with_zeros(table: Table, columns: Columns) -> Table:
@@ -107,21 +113,24 @@ def with_zeros(table: Table, columns: Columns) -> Table:
 
 
 def _renamed(table: Table, name: str, entry: ColumnTable) -> Column:
-    wanted = name if entry.column is None else entry.column
+    source_name = name if entry.column is None else entry.column
     columns = list(table.columns.values())
-    if isinstance(wanted, int):
+    if isinstance(source_name, int):
         places = {column.place or number: column for number, column in enumerate(columns, start=1)}
-        if wanted not in places:
+        if source_name not in places:
             names = ", ".join(map(str, sorted(places)))
-            message = f"{table.file.name} has no column {wanted} that is read, only {names}"
+            message = f"{table.file.name} has no column {source_name} that is read, only {names}"
             raise _error(name, entry, message, "column")
-        source = places[wanted]
+        source = places[source_name]
     else:
-        alike = [column for column in columns if wanted in (column.name, column.heading)]
+        alike = [column for column in columns if source_name in (column.name, column.heading)]
         if not alike:
-            hint = did_you_mean(wanted, [column.name for column in columns])
+            hint = did_you_mean(source_name, [column.name for column in columns])
             raise _error(
-                name, entry, f"{table.file.name} has no column {shown(wanted)}; {hint}", "column"
+                name,
+                entry,
+                f"{table.file.name} has no column {shown(source_name)}; {hint}",
+                "column",
             )
         source = alike[0]
     unit = source.unit if source.since else entry.unit or source.unit
@@ -154,14 +163,18 @@ def _shift(offset: Stated, unit: str) -> Any:
 
 
 def _derived(
-    table: Table, made: Mapping[str, Column], name: str, entry: ColumnTable, formula: str
+    table: Table, derived_columns: Mapping[str, Column], name: str, entry: ColumnTable, formula: str
 ) -> tuple[Column, dict[str, Array]]:
     """The column of a formula, and the values of what it is made of, by heading."""
     for key in ("column", "unit", "gain", "offset"):
         if getattr(entry, key) is not None:
             raise _error(name, entry, f"it has a formula and a {key}; keep one of them", key)
     quantities = _Quantities(
-        {**{c.heading: c for c in table.columns.values() if c.heading}, **table.columns, **made}
+        {
+            **{c.heading: c for c in table.columns.values() if c.heading},
+            **table.columns,
+            **derived_columns,
+        }
     )
     try:
         with np.errstate(all="ignore"):
@@ -186,7 +199,7 @@ def _without_undefined(
     column: Column,
     entry: ColumnTable,
     sources: Mapping[str, Array],
-    needed: Collection[str],
+    required: Collection[str],
 ) -> tuple[Column, list[str]]:
     """The column without the rows in which its formula gives no finite number of finite ones, and a note on them."""
     name, undefined = column.name, ~np.isfinite(column.values)
@@ -194,7 +207,7 @@ def _without_undefined(
         undefined &= np.isfinite(values)
     if not undefined.any():
         return column, []
-    if name in needed:
+    if name in required:
         message = f"the formula {shown(entry.formula)} gives no finite number here"
         message = f"{message}; only measured outputs may lack samples"
         raise table.error(message, name, int(np.flatnonzero(undefined)[0]))
@@ -221,13 +234,15 @@ class _Quantities(dict[str, Any]):
             raise UnitError(f"{column.name}: {error}") from None
 
 
-def _zeroed(table: Table, name: str, entry: ColumnTable, rest: IntervalTable) -> Table:
+def _zeroed(table: Table, name: str, entry: ColumnTable, rest_interval: IntervalTable) -> Table:
     """The column less its mean in the rest interval."""
     column = table.columns[name]
     if TIME not in table.columns:
         raise _error(name, entry, "a rest interval needs a column 'time'", "zero")
     try:
-        start, stop = (parse_quantity(end.value, "s") for end in (rest.start, rest.to))
+        start, stop = (
+            parse_quantity(end.value, "s") for end in (rest_interval.start, rest_interval.to)
+        )
         time = convert(table.columns[TIME].values, table.columns[TIME].unit, "s")
         if float(quantity(0.0, column.unit).magnitude):
             raise UnitError(f"the zero of {shown(column.unit)} is no reading at rest")

@@ -27,7 +27,7 @@ def condensed(data: DataSet) -> tuple[DataSet, str]:
     if rows <= MOST_ROWS:
         return data, ""
     interval = _rounded(sum(float(run.time[-1] - run.time[0]) for run in dense) / MOST_ROWS)
-    means = {run.name: made for run in dense if (made := _means(run, interval))}
+    means = {run.name: averaged for run in dense if (averaged := _means(run, interval))}
     if not means:
         return data, ""
     runs = tuple(means.get(run.name, run) for run in data.runs)

@@ -80,15 +80,15 @@ def curves(
             {along: inputs[along]}, {**measured, **{name: inputs[name] for name in dividing}}, apart
         )
     ties = [np.nan_to_num(values) for values in (*measured.values(), *constant_inputs.values())]
-    made = []
+    found_curves = []
     for chosen in rows:
         position = inputs[along][chosen]
         order = _mixed(
             np.lexsort([*(values[chosen] for values in reversed(ties)), position]), position
         )
         at = {name: _level(inputs[name], chosen) for name in dividing}
-        made.append(Curve(chosen[order], along, at))
-    return made
+        found_curves.append(Curve(chosen[order], along, at))
+    return found_curves
 
 
 def _dividing(level_of: Mapping[str, Indices | None], names: Iterable[str]) -> dict[str, Indices]:

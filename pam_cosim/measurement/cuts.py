@@ -39,22 +39,22 @@ def cuts_of(stated: Mapping[str, Sequence[Moment]]) -> dict[str, Cut]:
     Raises:
         InputError: what is no such pair.
     """
-    made = {}
+    cuts_by_run = {}
     for run, pair in stated.items():
         if isinstance(pair, str) or len(pair) != 2:
             raise InputError(
                 f"{shown(run)}: a run is cut to a first and a last time, not {shown(pair)}"
             )
         begin, end = pair
-        made[run] = Cut(_seconds(run, "from", begin), _seconds(run, "to", end))
-    return made
+        cuts_by_run[run] = Cut(_seconds(run, "from", begin), _seconds(run, "to", end))
+    return cuts_by_run
 
 
-def _seconds(run: str, which: str, value: Moment) -> float | None:
+def _seconds(run: str, end: str, value: Moment) -> float | None:
     if value is None:
         return None
     try:
-        return value_of(value, Variable(which, "s"))
+        return value_of(value, Variable(end, "s"))
     except InputError as problem:
         raise InputError(f"{shown(run)}: {problem.message}") from None
 
@@ -82,17 +82,17 @@ def cut_run(run: Run, cut: Cut) -> Run:
         raise InputError(
             f"{run.name} holds points at rest, which have no times to be cut at", run.file
         )
-    made = replace(
+    shortened = replace(
         run.rows(slice(first_row, last)), recorded=(float(run.time[0]), float(run.time[-1]))
     )
-    if last - first_row < 2 or made.time[0] == made.time[-1]:
+    if last - first_row < 2 or shortened.time[0] == shortened.time[-1]:
         span = f"goes from {run.time[0]:g} to {run.time[-1]:g} s"
         raise InputError(
             f"{run.name} {span}: nothing would be left between {_ends(run, cut)}", run.file
         )
-    if not any(np.isfinite(values).any() for values in made.measurements.values()):
+    if not any(np.isfinite(values).any() for values in shortened.measurements.values()):
         raise InputError(f"{run.name} has no sample between {_ends(run, cut)}", run.file)
-    return made
+    return shortened
 
 
 def _ends(run: Run, cut: Cut) -> str:

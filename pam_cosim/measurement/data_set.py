@@ -87,13 +87,13 @@ class Run:
         values = self.measurements.get(signal)
         return 0 if values is None else int(np.isfinite(values).sum())
 
-    def rows(self, kept: slice) -> Run:
+    def rows(self, selection: slice) -> Run:
         """The run with some of its rows."""
         return replace(
             self,
-            time=self.time[kept],
-            inputs={name: values[kept] for name, values in self.inputs.items()},
-            measurements={name: values[kept] for name, values in self.measurements.items()},
+            time=self.time[selection],
+            inputs={name: values[selection] for name, values in self.inputs.items()},
+            measurements={name: values[selection] for name, values in self.measurements.items()},
         )
 
     def describe(self) -> str:
@@ -142,9 +142,9 @@ class DataSet(Printed):
     bench: str = ""
     unmapped: str = ""
 
-    def model_for(self, asked: str | None) -> str:
+    def model_for(self, requested: str | None) -> str:
         """The model to use where one is asked for (None: the bench): with the maps of inputs that these data need."""
-        return self.model if asked is None or asked == self.unmapped else asked
+        return self.model if requested is None or requested == self.unmapped else requested
 
     @property
     def fitted_signals(self) -> dict[str, Signal]:

@@ -60,8 +60,8 @@ def _check_apart(part_a: RunTable, part_b: RunTable) -> None:
         message = f"the file {file} is listed twice; hold_out keeps points of a file from the fit"
         raise part_b.error(message, "file")
     ends = [_stated_ends(table) for table in (part_a, part_b)]
-    begin = max(each.get("from", -inf) for each in ends)
-    end = min(each.get("to", inf) for each in ends)
+    begin = max(interval.get("from", -inf) for interval in ends)
+    end = min(interval.get("to", inf) for interval in ends)
     if begin < end:
         message = f"the file {file} is listed twice, and its runs share samples; from and to say which part each is"
         raise part_b.error(message, "file")
@@ -232,11 +232,13 @@ def _begun(interface: Interface, table: RunTable, uncut: Run, run: Run, instead:
     interval = None if resample is None else resample.above_zero("s")
     if mode is not None and run.is_static:
         raise InputError(f"{run.name} holds points at rest, which have no start", run.file)
-    made = run if cut is None else cut_run(uncut if run.name == uncut.name else run, cut)
-    ends = [(piece.time[0], piece.time[-1] if table.periodic else 0.0) for piece in (run, made)]
+    piece_of_run = run if cut is None else cut_run(uncut if run.name == uncut.name else run, cut)
+    ends = [
+        (piece.time[0], piece.time[-1] if table.periodic else 0.0) for piece in (run, piece_of_run)
+    ]
     if interval is not None:
-        made = resampled(made, interval, made.interpolation)
-    return with_start(table, interface, made, mode, anew=ends[0] != ends[1])
+        piece_of_run = resampled(piece_of_run, interval, piece_of_run.interpolation)
+    return with_start(table, interface, piece_of_run, mode, anew=ends[0] != ends[1])
 
 
 def _curve(run: Run, points: Points, is_first: bool) -> Run:

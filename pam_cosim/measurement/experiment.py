@@ -36,9 +36,7 @@ def read_experiment(file: Path) -> Experiment:
         experiment: Experiment = located(Experiment.model_validate(data), Place(file, text))
     except ValidationError as error:
         # An unknown key first: a misspelt key is also a missing one.
-        worst = min(
-            error.errors(include_url=False), key=lambda one: one["type"] != "extra_forbidden"
-        )
+        worst = min(error.errors(include_url=False), key=lambda e: e["type"] != "extra_forbidden")
         path, message = complaint_of(worst)
         raise InputError(message, file, line_of(text, path)) from None
     return experiment

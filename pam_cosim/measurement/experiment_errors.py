@@ -22,14 +22,14 @@ _LISTS_OF_TEXTS = {
 def complaint_of(error: ErrorDetails) -> tuple[KeyPath, str]:
     """Where the error is, and what is wrong there."""
     path, kind = _of_keys(error["loc"]), error["type"]
-    named = next((part for part in reversed(path) if isinstance(part, str)), None)
-    key = "the file" if named is None else shown(named)
+    key_name = next((part for part in reversed(path) if isinstance(part, str)), None)
+    key = "the file" if key_name is None else shown(key_name)
     if kind == "extra_forbidden":
         return path, _unknown_key(path, error["input"])
     if kind == "missing":
         return path, f"{key} is missing{_hint_for_missing(path)}"
     wrong_list = _wrong_list(path, error)
-    return path, wrong_list or f"{key}: {_wrong_kind(error, named)}"
+    return path, wrong_list or f"{key}: {_wrong_kind(error, key_name)}"
 
 
 def _of_keys(path: KeyPath) -> KeyPath:
@@ -43,7 +43,7 @@ def _of_keys(path: KeyPath) -> KeyPath:
 def _wrong_list(path: KeyPath, error: ErrorDetails) -> str:
     """What is wrong where a list of something else is needed; "": it is something else."""
     is_list = error["type"] != "list_type"
-    place, what = (path[:-1] if is_list else path), ""
+    place, message = (path[:-1] if is_list else path), ""
     match place:
         case ("runs",) if not is_list:
             return "runs must be a list of tables: write each as [[runs]], in double brackets"
@@ -52,21 +52,21 @@ def _wrong_list(path: KeyPath, error: ErrorDetails) -> str:
         case (*_, "hold_out", str(name)) if not is_list:
             return f'{name} must be a list of values such as ["250 kPa"]'
         case (*_, str(table), str(name)) if (table, name) in _LISTS_OF_TEXTS:
-            what = f"{name} must be a list of texts such as {_LISTS_OF_TEXTS[table, name]}"
-    if not is_list or not what:
-        return what
+            message = f"{name} must be a list of texts such as {_LISTS_OF_TEXTS[table, name]}"
+    if not is_list or not message:
+        return message
     wrong = error["type"] == "string_type"
-    return f"{what}; {shown(error['input'])} is not in quotes" if wrong else ""
+    return f"{message}; {shown(error['input'])} is not in quotes" if wrong else ""
 
 
-def _wrong_kind(error: ErrorDetails, named: str | None) -> str:
+def _wrong_kind(error: ErrorDetails, key_name: str | None) -> str:
     value = shown(error["input"])
     match error["type"]:
         case "value_error":
             return str(error["ctx"]["error"])
         case "literal_error":
             return f"{value} is not possible; write {error['ctx']['expected'].lower()}"
-        case "string_type" if named == "column":
+        case "string_type" if key_name == "column":
             return f"{value} is neither the name of a column, in quotes, nor its number, such as 2"
         case "string_type":
             return f"{value} is not a text; put it in quotes"

@@ -80,9 +80,9 @@ class CheckedTable(BaseModel):
         """The table with the values of ``shared``, at their places, for keys that it leaves out."""
         keys = [k for k in type(self).model_fields if getattr(self, k) is None]
         values = {k: v for k in keys if (v := getattr(shared, k, None)) is not None}
-        made = self.model_copy(update=values)
-        made._shared = {key: shared.at(key) for key in values}
-        return made
+        table = self.model_copy(update=values)
+        table._shared = {key: shared.at(key) for key in values}
+        return table
 
 
 def located(value: Any, place: Place) -> Any:
@@ -93,9 +93,9 @@ def located(value: Any, place: Place) -> Any:
         case CheckedTable():
             keys = {n: f.alias or n for n, f in type(value).model_fields.items()}
             within = {n: located(getattr(value, n), place / key) for n, key in keys.items()}
-            made = value.model_copy(update=within)
-            made._place = place
-            return made
+            copied = value.model_copy(update=within)
+            copied._place = place
+            return copied
         case dict():
             return {key: located(entry, place / key) for key, entry in value.items()}
         case [CheckedTable(), *_]:
@@ -262,12 +262,12 @@ class Experiment(CheckedTable):
     def full_runs(self) -> list[RunTable]:
         """The runs, each with what is stated for all of them."""
         files = Counter(Path(run.file) for run in self.runs)
-        made, parts = [], Counter[Path]()
+        runs, parts = [], Counter[Path]()
         for run, file in ((run, Path(run.file)) for run in self.runs):
             recording = run.recording.completed(self.recording)
             update = {"recording": recording, "columns": {**self.columns, **run.columns}}
             full = run.completed(self).model_copy(update=update)
             parts[file] += 1
             full._part = parts[file] if files[file] > 1 else 0
-            made.append(full)
-        return made
+            runs.append(full)
+        return runs

@@ -46,9 +46,9 @@ def _place(opened: Any, name: str | None, file: Path) -> Any:
             )
         return places[name.strip("/")]
     if len(groups) != 1:
-        named = ", ".join(group or "/" for group in groups[:20])
+        group_names = ", ".join(group or "/" for group in groups[:20])
         hint = (
-            f'state one of {named} under [recording], as table = "{groups[0] or "/"}"'
+            f'state one of {group_names} under [recording], as table = "{groups[0] or "/"}"'
             if groups
             else "there is none"
         )

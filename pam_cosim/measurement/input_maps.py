@@ -56,8 +56,8 @@ def with_names_of_maps(experiment: Experiment, interface: Interface) -> Experime
     free: dict[str, FreeTable] = {}
     for name, table in mapped.items():
         free |= _free(name, table, interface)
-    made: Experiment = _by_names(experiment, raw, constants)
-    return made.model_copy(update={"fit": {**free, **made.fit}})
+    renamed: Experiment = _by_names(experiment, raw, constants)
+    return renamed.model_copy(update={"fit": {**free, **renamed.fit}})
 
 
 def _constants(experiment: Experiment, interface: Interface) -> dict[str, str]:
@@ -100,8 +100,8 @@ def _map(variable: Variable, table: ColumnTable) -> InputMap:
             continue
         if factor == 0.0:
             raise table.error(f"the gain of {variable.name} must not be zero", "gain")
-        same = raw == variable.unit  # a temperature is shifted by a difference
-        shift = table.offset.quantity(variable.unit, difference=same) if table.offset else 0.0
+        same_unit = raw == variable.unit  # a temperature is shifted by a difference
+        shift = table.offset.quantity(variable.unit, difference=same_unit) if table.offset else 0.0
         return InputMap(variable.name, variable.unit, raw, factor, shift)
     message = f'gain of {variable.name}: {gain} does not fit; write for example "0.05 {quotient(variable.unit, "V")}"'
     raise table.error(message, "gain")
@@ -129,13 +129,13 @@ def _free(name: str, table: ColumnTable, interface: Interface) -> dict[str, Free
         ),
     }
     chosen = {"gain": [gain_of(name)], "offset": [offset_of(name)]}.get(str(table.fit), list(ends))
-    made = {}
+    free_tables = {}
     for key in chosen:
         *numbers, unit = ends[key]
         values = [number if unit in ("", "1") else f"{number!r} {unit}" for number in numbers]
         keys = dict(zip(("min", "max", "start"), values, strict=True))
-        made[key] = located(FreeTable.model_validate(keys), place)
-    return made
+        free_tables[key] = located(FreeTable.model_validate(keys), place)
+    return free_tables
 
 
 def _usual(interface: Interface, unit: str) -> float:

@@ -15,9 +15,9 @@ def marker_of(values: Array) -> float | None:
     if len(finite) < FEWEST_SAMPLES:
         return None
     for value in (finite.min(), finite.max()):
-        rest = finite[finite != value]
-        span = float(np.ptp(rest)) if rest.size else 0.0
-        if span and float(np.min(np.abs(rest - value))) > span:
+        other_values = finite[finite != value]
+        span = float(np.ptp(other_values)) if other_values.size else 0.0
+        if span and float(np.min(np.abs(other_values - value))) > span:
             return float(value)
     return None
 

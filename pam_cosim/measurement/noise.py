@@ -165,11 +165,11 @@ def _misses(at: Array, values: Array, around: Sequence[int]) -> Array:
     factors[:, places, places] = 1.0
     with np.errstate(all="ignore"):  # two nodes at one place, or nearly so, have no weights
         weights = (factors / distance).prod(axis=2)
-        there = np.isfinite(np.sum(weights**2, axis=1))
-    same = ~there | (np.abs(weights).max(axis=1) > 1.0 + 1e-9)
-    flat = same & (np.ptp(nodes, axis=1) == 0.0)
+        has_weights = np.isfinite(np.sum(weights**2, axis=1))
+    is_repeated = ~has_weights | (np.abs(weights).max(axis=1) > 1.0 + 1e-9)
+    flat = is_repeated & (np.ptp(nodes, axis=1) == 0.0)
     weights[flat] = 1.0 / len(around)
-    kept = flat | ~same if reach == 1 else flat | there
-    weights, middle = weights[kept], middle[kept]
+    is_usable = flat | ~is_repeated if reach == 1 else flat | has_weights
+    weights, middle = weights[is_usable], middle[is_usable]
     off = values[middle] - np.sum(weights * values[middle[:, None] + np.array(around)], axis=1)
     return np.asarray(off / np.sqrt(1.0 + np.sum(weights**2, axis=1)))

@@ -73,11 +73,11 @@ def free_parameter(
 
 
 def _variable(
-    interface: Interface, known: Mapping[str, Variable], name: str, role: str, place: Place
+    interface: Interface, variables: Mapping[str, Variable], name: str, role: str, place: Place
 ) -> Variable:
-    if name not in known:
-        raise place.error(interface.unknown(name, role, known))
-    return known[name]
+    if name not in variables:
+        raise place.error(interface.unknown(name, role, variables))
+    return variables[name]
 
 
 def _value(parameter: Variable, stated: Stated) -> float:

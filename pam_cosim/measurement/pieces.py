@@ -36,10 +36,10 @@ def with_time_going_on(table: Table, gaps: Gaps | None) -> Table:
         return table
     time = going_on(column.values, gaps)
     places = ", ".join(f"{column.values[i]:g}" for i in back[:_PLACES_LISTED])
-    meant = (
+    treatment = (
         "a piece of its own begins there" if gaps == "split" else "it goes on one interval later"
     )
-    note = f"time goes back {_times(back.size)}, after {places} {column.unit or 's'}: {meant}"
+    note = f"time goes back {_times(back.size)}, after {places} {column.unit or 's'}: {treatment}"
     return replace(
         table,
         columns={**table.columns, TIME: replace(column, values=time)},

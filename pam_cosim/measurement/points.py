@@ -124,28 +124,30 @@ def _way(branch: Array | None, curve: Curve) -> str:
 
 def _distinct(curves_found: list[Points]) -> list[Points]:
     """Labels of curves that are alike are numbered."""
-    seen, named = Counter[str](), []
+    label_counts, numbered = Counter[str](), []
     for curve in curves_found:
-        seen[curve.label] += 1
-        number = f" ({seen[curve.label]})" if seen[curve.label] > 1 else ""
-        named.append(replace(curve, label=curve.label + number))
-    return named
+        label_counts[curve.label] += 1
+        number = f" ({label_counts[curve.label]})" if label_counts[curve.label] > 1 else ""
+        numbered.append(replace(curve, label=curve.label + number))
+    return numbered
 
 
 def _check_imposed(
     table: Table, interface: Interface, imposed: Mapping[str, Array], held: Mapping[str, float]
 ) -> None:
-    needed = [name for name in interface.inputs if name != BRANCH]
-    missing = [name for name in needed if name not in imposed and name not in held]
+    required_inputs = [name for name in interface.inputs if name != BRANCH]
+    missing = [name for name in required_inputs if name not in imposed and name not in held]
     if missing:
-        what = listed(needed)
+        input_names = listed(required_inputs)
         raise InputError(
-            f"there is no column {shown(missing[0])}, nor a value under [parameters]: a row imposes {what}",
+            f"there is no column {shown(missing[0])}, nor a value under [parameters]: a row imposes {input_names}",
             table.file,
             table.header_line,
         )
-    if not any(name in imposed for name in needed):
-        message = f"no column varies that is imposed: {listed(needed)} are the same in all rows"
+    if not any(name in imposed for name in required_inputs):
+        message = (
+            f"no column varies that is imposed: {listed(required_inputs)} are the same in all rows"
+        )
         raise InputError(message, table.file, table.header_line)
 
 
@@ -214,14 +216,16 @@ def _held_out(
             CONSTANT_RANGE * float(np.abs(column).max()),
         )
         for value in values:
-            wanted = value.quantity(unit)
-            meant = np.abs(column - wanted) <= tolerance
-            if not meant.any():
-                nearest = format_quantity(float(column[np.argmin(np.abs(column - wanted))]), unit)
+            held_out_value = value.quantity(unit)
+            is_held_out = np.abs(column - held_out_value) <= tolerance
+            if not is_held_out.any():
+                nearest = format_quantity(
+                    float(column[np.argmin(np.abs(column - held_out_value))]), unit
+                )
                 raise place.error(
                     f"no row has {name} = {shown(value.value)}; the nearest is {nearest}"
                 )
-            aside[meant] = 1.0
+            aside[is_held_out] = 1.0
     if aside.all():
         raise run.error(f"no row of {table.file.name} is left to fit", "hold_out")
     return aside

@@ -92,7 +92,7 @@ def _converted(
         parameter for table in tables for parameter in parameters_of_run(interface, table, stated)
     ]
     read = [runs_of_table(interface, table, stated, shared, overrides) for table in tables]
-    runs = tuple(run for several in read for run in several)
+    runs = tuple(run for runs_of_file in read for run in runs_of_file)
     overrides.check(title, [run.name for run in runs])
     check_branches(interface, tables, read)
     signals = with_noise_of_means(_signals(experiment, interface, runs), runs)

@@ -125,7 +125,7 @@ def _offset(run: RunTable, logger: LoggerTable, reference: Recording, shifted: R
 
 def layout_of(stated: RecordingTable, columns: Columns, interface: Interface) -> Layout:
     """How the file of a run is read, so that the columns that it needs are kept."""
-    needed = frozenset((TIME, *interface.inputs, *interface.outputs, *sources_of(columns)))
+    required = frozenset((TIME, *interface.inputs, *interface.outputs, *sources_of(columns)))
     headings = {n: choice.column for n, choice in columns.items() if isinstance(choice.column, str)}
-    layout = stated.layout(asked=needed, clock=clock_of(columns))
+    layout = stated.layout(asked=required, clock=clock_of(columns))
     return replace(layout, words=words_of(interface, headings))

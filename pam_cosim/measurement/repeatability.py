@@ -36,9 +36,11 @@ def repeatability(runs: Sequence[Run], signal: str) -> float:
     if len(differences) < CRITERIA.noise.fewest_repeated:
         return 0.0
     causes = np.concatenate([u for _, u in pairs])
-    moved = causes[:, np.ptp(causes, axis=0) > 0]
-    if moved.shape[1]:
-        differences = differences - moved @ np.linalg.lstsq(moved, differences, rcond=None)[0]
+    varied_causes = causes[:, np.ptp(causes, axis=0) > 0]
+    if varied_causes.shape[1]:
+        differences = (
+            differences - varied_causes @ np.linalg.lstsq(varied_causes, differences, rcond=None)[0]
+        )
     return sqrt(float(np.mean(differences**2)) / 2.0)
 
 
@@ -109,9 +111,9 @@ def _has_near_input(a: Run, b: Run, name: str, span: float) -> bool:
 def _nearest_samples(a: Run, b: Run) -> Array:
     """(n,) for each sample of one run, the sample of the other that is nearest, counted from their beginnings."""
     at = a.time - a.time[0] * (not a.is_static)
-    there = b.time - b.time[0] * (not b.is_static)
-    order = np.argsort(there, kind="stable")
-    middles = (there[order][1:] + there[order][:-1]) / 2.0
+    times_of_other = b.time - b.time[0] * (not b.is_static)
+    order = np.argsort(times_of_other, kind="stable")
+    middles = (times_of_other[order][1:] + times_of_other[order][:-1]) / 2.0
     return np.asarray(order[np.searchsorted(middles, at)])
 
 

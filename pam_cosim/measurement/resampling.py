@@ -39,18 +39,18 @@ def resampled(recording: _Rows, interval: float, interpolation: Interpolation) -
     of fewer than half as many samples as usual, between steps, is left out of the measurements.
     """
     time, count = recording.time, len(recording.time)
-    wanted = max(1, round((time[-1] - time[0]) / interval))
-    if 2 * wanted > count:
+    mean_count = max(1, round((time[-1] - time[0]) / interval))
+    if 2 * mean_count > count:
         return recording
-    jumps = _jumps(recording.inputs, wanted)
+    jumps = _jumps(recording.inputs, mean_count)
     starts = _starts(time, jumps, interval)
     sizes = np.diff(starts, append=count)
     middle = np.add.reduceat(time, starts) / sizes
     held, first_and_last = interpolation == "previous", np.array([0, count - 1])
     # Rows of inputs alone; a mean of one sample is that row already.
     rows_kept = np.concatenate([first_and_last, jumps, jumps + 1, starts if held else jumps])
-    kept = np.setdiff1d(rows_kept if recording.inputs else jumps[:0], starts[sizes == 1])
-    mean_at = np.searchsorted(starts, kept, side="right") - 1
+    kept_rows = np.setdiff1d(rows_kept if recording.inputs else jumps[:0], starts[sizes == 1])
+    mean_at = np.searchsorted(starts, kept_rows, side="right") - 1
     # About the first sample, so that the mean of what stands still is that to the last digit.
     first_values = {name: v[starts] for name, v in recording.inputs.items()}
     inputs = {
@@ -71,22 +71,24 @@ def resampled(recording: _Rows, interval: float, interpolation: Interpolation) -
     rows = np.split(row.ravel(), np.cumsum([len(at) for at in elsewhere.values()]))
     row_of = dict(zip(elsewhere, rows, strict=False))
     own_time, of_mean = extra_times[:, 0], extra_times[:, 1].astype(np.int64)
-    times = np.concatenate([middle, time[kept], own_time])
+    times = np.concatenate([middle, time[kept_rows], own_time])
     # Stable: of rows at one time the mean before a step comes first.
-    order = np.lexsort((np.concatenate([starts, kept, starts[of_mean]]), times))
+    order = np.lexsort((np.concatenate([starts, kept_rows, starts[of_mean]]), times))
     order = order[~_third(times[order])]
 
     def of_input(name: str, values: Array) -> Array:
         recorded = recording.inputs[name]
-        means = values[mean_at] if held else recorded[kept]
-        there = values[of_mean] if held else np.interp(own_time, time, recorded)
-        return locked(np.concatenate([values, means, there])[order])
+        means = values[mean_at] if held else recorded[kept_rows]
+        means_at_own_rows = values[of_mean] if held else np.interp(own_time, time, recorded)
+        return locked(np.concatenate([values, means, means_at_own_rows])[order])
 
     def of_measurement(name: str, mean: _Mean) -> Array:
-        values, there = mean.values.copy(), np.full(len(own_time), np.nan)
-        there[row_of[name]] = values[elsewhere[name]]
+        values, means_at_own_rows = mean.values.copy(), np.full(len(own_time), np.nan)
+        means_at_own_rows[row_of[name]] = values[elsewhere[name]]
         values[elsewhere[name]] = np.nan
-        return locked(np.concatenate([values, np.full(len(kept), np.nan), there])[order])
+        return locked(
+            np.concatenate([values, np.full(len(kept_rows), np.nan), means_at_own_rows])[order]
+        )
 
     means_of = f"means over {format_quantity(interval, 's')}, {len(jumps)} steps of inputs kept"
     return replace(
@@ -121,7 +123,7 @@ def with_noise_of_means(
     changed = dict(signals)
     for name, signal in signals.items():
         means = [run.averaged.get(name, Averaged(1)) for run in runs if name in run.measurements]
-        fewest = min(means, key=lambda one: one.samples, default=Averaged(1))
+        fewest = min(means, key=lambda a: a.samples, default=Averaged(1))
         if signal.sigma is not None and fewest.samples > 1:
             step = fewest.step if 2.0 * signal.sigma < fewest.step else 0.0
             growth = signal.sigma_of_reading / sqrt(fewest.samples)
@@ -160,17 +162,17 @@ def _mean(time: Array, values: Array, starts: _Places) -> _Mean:
     usual = int(np.median(counts[counts > 0])) if counts.any() else 1
     enough = counts >= max(1.0, usual / 2)
     at = np.add.reduceat(np.where(present, time, 0.0), starts)
-    several = np.maximum(counts, 1)
+    divisors = np.maximum(counts, 1)
     return _Mean(
-        np.where(enough, sums / several, np.nan), np.where(enough, at / several, np.nan), usual
+        np.where(enough, sums / divisors, np.nan), np.where(enough, at / divisors, np.nan), usual
     )
 
 
 def _third(times: Array) -> NDArray[np.bool_]:
     """Which rows are between two others at the same time."""
-    same = np.diff(times) == 0.0
+    is_same_time = np.diff(times) == 0.0
     return (
-        np.concatenate([[False], same[:-1] & same[1:], [False]])
+        np.concatenate([[False], is_same_time[:-1] & is_same_time[1:], [False]])
         if len(times) > 2
         else np.zeros(len(times), bool)
     )

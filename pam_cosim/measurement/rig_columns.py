@@ -62,8 +62,8 @@ def rig_columns(folder: Path, interface: Interface, names: Collection[str]) -> d
 
 def _column(name: str, table: Table, run: RunTable, interface: Interface) -> RigColumn | None:
     stated = {name: run.columns[name]} if name in run.columns else {}
-    wanted = sources_of(stated) or {name}
-    sources = [c for c in table.columns.values() if {c.name, c.heading} & wanted]
+    source_names = sources_of(stated) or {name}
+    sources = [c for c in table.columns.values() if {c.name, c.heading} & source_names]
     unit = (
         "s" if name == TIME else interface.inputs[name].unit if name in interface.inputs else None
     )
@@ -72,12 +72,14 @@ def _column(name: str, table: Table, run: RunTable, interface: Interface) -> Rig
     (source,) = sources
     probe = replace(table, columns={source.name: replace(source, values=np.arange(3.0), since="")})
     try:
-        made = with_columns(probe, stated).columns[name]
-        first, second, third = convert(made.values, made.unit, unit)
+        column = with_columns(probe, stated).columns[name]
+        first, second, third = convert(column.values, column.unit, unit)
     except (InputError, UnitError, KeyError):
         return None
     gain = float(second - first)
     if not np.isfinite(gain) or gain == 0 or not np.isclose(third - second, gain):
         return None
-    shown = stated[name].unit if stated and stated[name].unit and not source.unit else source.unit
-    return RigColumn(source.name, shown or "", gain, float(first))
+    unit_text = (
+        stated[name].unit if stated and stated[name].unit and not source.unit else source.unit
+    )
+    return RigColumn(source.name, unit_text or "", gain, float(first))

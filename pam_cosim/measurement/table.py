@@ -69,12 +69,13 @@ class Table:
     notes: tuple[str, ...] = ()
     missing: tuple[str, ...] = ()
 
-    def rows(self, kept: slice | NDArray[np.bool_]) -> Table:
+    def rows(self, selection: slice | NDArray[np.bool_]) -> Table:
         """The table with some of its rows."""
         columns = {
-            n: replace(column, values=column.values[kept]) for n, column in self.columns.items()
+            n: replace(column, values=column.values[selection])
+            for n, column in self.columns.items()
         }
-        lines = None if self.lines is None else self.lines[kept]
+        lines = None if self.lines is None else self.lines[selection]
         return replace(self, columns=columns, lines=lines)
 
     def with_time(self, interval: float) -> Table:
@@ -225,12 +226,12 @@ def table_of(vectors: Iterable[tuple[str, str, Any]], stated: Layout, file: Path
     Raises:
         InputError: a heading that cannot be read, no numbers, two columns of a name, or of unlike length.
     """
-    named: dict[str, Column] = {}
+    columns_by_name: dict[str, Column] = {}
     for heading, unit_next, vector in vectors:
         name, unit = _headed(heading, unit_next, file)
         if not stated.keeps(heading, name):
             continue
-        if name in named:
+        if name in columns_by_name:
             raise InputError("there are two columns of this name", file, None, name)
         values = np.asarray(vector)
         if values.dtype.kind in "mM":
@@ -239,17 +240,17 @@ def table_of(vectors: Iterable[tuple[str, str, Any]], stated: Layout, file: Path
             held = f"{vector} and no numbers" if isinstance(vector, str) else "no numbers"
             message = f"it holds {held}; leave it out: [recording] ignore = [...]"
             raise InputError(message, file, None, name)
-        named[name] = Column(name, unit, np.array(values, dtype=float).ravel(), heading)
-    if not named:
+        columns_by_name[name] = Column(name, unit, np.array(values, dtype=float).ravel(), heading)
+    if not columns_by_name:
         raise InputError("there is no column of numbers", file)
-    example = next(iter(named.values()))
-    for column in named.values():
+    example = next(iter(columns_by_name.values()))
+    for column in columns_by_name.values():
         if len(column.values) != len(example.values):
             message = f"it has {len(column.values)} values, {shown(example.name)} has {len(example.values)}"
             raise InputError(
                 f"{message}; state which to leave out: ignore = [...]", file, None, column.name
             )
-    return Table(file, named)
+    return Table(file, columns_by_name)
 
 
 def _headed(heading: str, unit: str, file: Path) -> tuple[str, str]:

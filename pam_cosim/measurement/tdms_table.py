@@ -23,13 +23,13 @@ def read_tdms(file: Path, stated: Layout) -> Table:
         declared = reader.read_metadata(file).groups()
         check_count(sum(len(channel) for group in declared for channel in group.channels()), file)
         groups = {group.name: group for group in reader.read(file).groups() if group.channels()}
-    wanted = [stated.table] if stated.table is not None else list(groups)
-    if len(wanted) != 1 or wanted[0] not in groups:
+    group_names = [stated.table] if stated.table is not None else list(groups)
+    if len(group_names) != 1 or group_names[0] not in groups:
         reason = "" if stated.table is None else f"there is no group {shown(stated.table)}; "
         raise InputError(
             f"{reason}state one of {listed(groups)} under [recording], as table = ...", file
         )
-    channels: list[Any] = groups[wanted[0]].channels()
+    channels: list[Any] = groups[group_names[0]].channels()
     units = [str(channel.properties.get("unit_string", "") or "") for channel in channels]
     vectors = [
         (channel.name, unit, channel[:]) for channel, unit in zip(channels, units, strict=True)

@@ -98,10 +98,10 @@ class Reader:
         """NaN where a number stands that is stated to mean a missing sample, however written."""
         for word in sorted(self.missing):
             number = self._with_point(word)
-            there = values == float(number) if _NUMBER.fullmatch(number) else np.array(False)
-            if there.any():
+            is_missing = values == float(number) if _NUMBER.fullmatch(number) else np.array(False)
+            if is_missing.any():
                 self.met[word] = None
-                values = np.where(there, np.nan, values)
+                values = np.where(is_missing, np.nan, values)
         return values
 
     def _bare(self, cell: str, column: int) -> str:
@@ -162,9 +162,9 @@ class Reader:
     def _seconds(self, cells: Sequence[str], date: str) -> NDArray[np.float64] | None:
         """(n,) seconds since the first date; None where one is not plainly a date."""
         begin = date_time(date)
-        made = [date_time(cell.strip()) for cell in cells]
-        dates = [moment for moment in made if moment is not None]
-        if begin is None or len(dates) < len(made):
+        moments = [date_time(cell.strip()) for cell in cells]
+        dates = [moment for moment in moments if moment is not None]
+        if begin is None or len(dates) < len(moments):
             return None
         seconds = [seconds_between(begin, moment) for moment in dates]
         return None if None in seconds else np.array(seconds, dtype=np.float64)
@@ -252,12 +252,12 @@ class Reader:
                 f"{shown(cell)} has another unit than the first cell, {shown(self.units[column])}"
             )
         if cell.lower().lstrip("+-") in _NOT_FINITE:
-            where = (
+            hint = (
                 f', or state the word under [recording]: missing = ["{cell}"]'
                 if "nan" in cell.lower()
                 else ""
             )
-            return f"{shown(cell)} is not a finite number; leave the cell empty where a sample is missing{where}"
+            return f"{shown(cell)} is not a finite number; leave the cell empty where a sample is missing{hint}"
         if re.fullmatch(r"[+-]?\d+[.,]\d+", cell, re.ASCII):
             if self.decimal == "." and "," in cell and self._may_be_grouped(column):
                 as_integer, point = cell.replace(",", ""), cell.replace(",", ".")

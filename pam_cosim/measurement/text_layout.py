@@ -80,8 +80,8 @@ def find_layout(lines: list[Line], stated: Layout, file: Path) -> TextLayout:
             stated if stated.separator else replace(stated, separator=_key(stated_separator[1]))
         )
         lines = [(0, "#"), *lines[1:]]
-    tried = [stated.separator] if stated.separator else list(SEPARATORS)
-    layouts = [_layout_by(SEPARATORS[name], lines, stated) for name in tried]
+    separator_names = [stated.separator] if stated.separator else list(SEPARATORS)
+    layouts = [_layout_by(SEPARATORS[name], lines, stated) for name in separator_names]
     read = [layout for layout in layouts if layout is not None]
     if not read:
         raise _no_rows(lines, file)
@@ -166,8 +166,8 @@ def _layout_further_down(
     for k in (k for k in range(1, len(rows) - 1) if not rows[k] and rows[k + 1]):
         layout = _layout_below(looked_at[k][0], separator, lines, stated)
         if layout is not None and layout.consistent:
-            named = not any(is_number(heading) for heading, _ in layout.headings)
-            return replace(layout, passed_over=sum(rows[:k])) if named else None
+            has_names = not any(is_number(heading) for heading, _ in layout.headings)
+            return replace(layout, passed_over=sum(rows[:k])) if has_names else None
     return None
 
 
@@ -193,10 +193,12 @@ def _layout_below(
     if isinstance(header, str):
         return TextLayout(separator, (), 0, rows[start].index, False, (rows[start].number, header))
     headings = header.headings()
-    kept = [
+    kept_columns = [
         i for i, (heading, _) in enumerate(headings) if stated.keeps(heading, _name_in(heading))
     ]
-    fits = all(_fits(row.cells, len(headings), kept, stated.missing) for row in rows[start:])
+    fits = all(
+        _fits(row.cells, len(headings), kept_columns, stated.missing) for row in rows[start:]
+    )
     return TextLayout(separator, headings, header.line, rows[start].index, fits)
 
 
@@ -206,11 +208,12 @@ def _name_in(heading: str) -> str:
     return parts[0] if parts else ""
 
 
-def _fits(cells: list[str], count: int, kept: list[int], missing: frozenset[str]) -> bool:
+def _fits(cells: list[str], count: int, kept_columns: list[int], missing: frozenset[str]) -> bool:
     if len(cells) < count or any(cells[count:]):
         return False
     return all(
-        not cells[i] or is_measured(cells[i]) or cells[i].casefold() in missing for i in kept
+        not cells[i] or is_measured(cells[i]) or cells[i].casefold() in missing
+        for i in kept_columns
     )
 
 

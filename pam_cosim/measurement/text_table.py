@@ -221,30 +221,30 @@ def _lines(text: str) -> Iterator[Line]:
 def _joined(lines: list[str]) -> Iterator[Line]:
     at = 0
     while at < len(lines):
-        line, taken = lines[at], 1
+        line, line_count = lines[at], 1
         if line.count('"') % 2 and not is_comment(line):
             for more in range(2, _TALLEST + 1):
-                several = "\n".join(lines[at : at + more])
-                if several.count('"') % 2 == 0:
-                    line, taken = several, more
+                joined_lines = "\n".join(lines[at : at + more])
+                if joined_lines.count('"') % 2 == 0:
+                    line, line_count = joined_lines, more
                     break
         yield at + 1, line
-        at += taken
+        at += line_count
 
 
 def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
     """Name and unit of each column."""
-    line, seen = layout.header_line or None, set[str]()
+    line, used_names = layout.header_line or None, set[str]()
     headings = [split_heading(heading) for heading, _ in layout.headings]
     units = Counter({(parts[0], parts[1]) for parts in headings if parts})
-    several = Counter(name for name, _ in units)
-    named = []
+    name_counts = Counter(name for name, _ in units)
+    names_and_units = []
     for number, (heading, below) in enumerate(layout.headings, start=1):
         parts = headings[number - 1]
         if not heading and any(headings):  # as of an index of rows
             parts = (f"column {number}", "")
         if (
-            parts is not None and several[parts[0]] > 1
+            parts is not None and name_counts[parts[0]] > 1
         ):  # in two units: each is called as its heading is
             parts = (heading, parts[1])
         if parts is None:
@@ -253,9 +253,9 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
                 message, file, line, heading[:60] if heading.isprintable() and heading else None
             )
         name, unit = parts
-        if name.casefold() == labview_text.TIME and name in seen:
-            name = f"{name} {1 + sum(seen_name.startswith(name) for seen_name in seen)}"
-        if name in seen:
+        if name.casefold() == labview_text.TIME and name in used_names:
+            name = f"{name} {1 + sum(seen_name.startswith(name) for seen_name in used_names)}"
+        if name in used_names:
             hint = f"; or, {other_line(line - 1)}" if line is not None and line > 1 else ""
             message = f"this column stands twice in the header; rename one{hint}"
             raise InputError(message, file, line, name)
@@ -263,9 +263,9 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
             raise InputError(
                 f"its heading says {shown(unit)}, the row of units {shown(below)}", file, line, name
             )
-        seen.add(name)
-        named.append((name, unit or below))
-    return named
+        used_names.add(name)
+        names_and_units.append((name, unit or below))
+    return names_and_units
 
 
 def _notes(layout: TextLayout, encoding: str, decimal: str, cut: int | None) -> Iterator[str]:

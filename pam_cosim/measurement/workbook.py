@@ -39,13 +39,13 @@ def sheet_text(file: Path, sheet: str | None) -> str:
     if sheet is None and len(filled) == 1:
         sheet = filled[0]
     if sheet not in chosen:
-        found = (
+        message = (
             "the workbook has several sheets"
             if sheet is None
             else f"there is no sheet {shown(sheet)}"
         )
         hint = f'state one of {listed(filled)} under [recording], as table = "{filled[0]}"'
-        raise InputError(f"{found}; {hint}" if filled else "the workbook is empty", file)
+        raise InputError(f"{message}; {hint}" if filled else "the workbook is empty", file)
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     for row in chosen[sheet].to_python(skip_empty_area=False):
