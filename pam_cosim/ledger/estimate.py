@@ -130,9 +130,9 @@ class _Estimation:
         """The unknown inputs together with a fault of one instrument, the most probable one."""
         if len(self.signals) < 2:
             return None
-        tried = [self._model_with_fault(name) for name in self.signals]
+        models_with_fault = [self._model_with_fault(name) for name in self.signals]
         return min(
-            (winner for winner in tried if winner is not None),
+            (winner for winner in models_with_fault if winner is not None),
             key=lambda winner: winner.deviance,
             default=None,
         )
@@ -248,18 +248,18 @@ class _Estimation:
         total = sum(losses.values())
         shares = {balance: loss / total for balance, loss in losses.items()} if total else {}
         entries = balance_entries(rivals, shares)
-        shown = rivals.winner or rivals.augmented
+        best_model = rivals.winner or rivals.augmented
         if rivals.best == "sensor" and rivals.fault is not None:
-            shown = (
+            best_model = (
                 self.explainer.explain(self.models[0], None, rivals.fault.signal)
                 or rivals.augmented
             )
-        if shown is not None:
-            for unknown_input in shown.unknown_inputs:
+        if best_model is not None:
+            for unknown_input in best_model.unknown_inputs:
                 old = entries.get(unknown_input.balance) or BalanceEntry(
                     unknown_input.balance, 0.0, 0.0, 0.0
                 )
-                entries[unknown_input.balance] = self._with_terms(old, shown, unknown_input)
+                entries[unknown_input.balance] = self._with_terms(old, best_model, unknown_input)
         if rivals.fault is not None:
             entries["sensor"] = BalanceEntry(
                 "sensor",
@@ -271,9 +271,9 @@ class _Estimation:
         return list(entries.values())
 
     def _with_terms(
-        self, entry: BalanceEntry, shown: SmoothedModel, unknown_input: UnknownInput
+        self, entry: BalanceEntry, model: SmoothedModel, unknown_input: UnknownInput
     ) -> BalanceEntry:
-        series, units = term_series(shown, unknown_input)
+        series, units = term_series(model, unknown_input)
         return replace(
             entry,
             unit=unknown_input.unit,
@@ -281,6 +281,6 @@ class _Estimation:
             courses=series,
             units=units,
             same_as=()
-            if shown.augmented.replaced
+            if model.augmented.replaced
             else self.explainer.same.get(unknown_input.balance, ()),
         )

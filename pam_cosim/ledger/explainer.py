@@ -193,14 +193,14 @@ class Explainer:
     ) -> SmoothedModel | None:
         """The model with all unknown inputs that act and can be told apart; None without any, or if it breaks down."""
         problem, states = self.problem(augmented, augmented.unknown_inputs, hidden, states)
-        kept = self._distinct(augmented, problem, states[0])
-        if not kept:
+        distinct_inputs = self._distinct(augmented, problem, states[0])
+        if not distinct_inputs:
             return None
-        problem, _ = self.problem(augmented, kept, hidden, states)
-        start = Point(*states, np.zeros((len(states[0]), len(kept))), self.start)
+        problem, _ = self.problem(augmented, distinct_inputs, hidden, states)
+        start = Point(*states, np.zeros((len(states[0]), len(distinct_inputs))), self.start)
         try:
             smoothed = smooth(problem, start, self.deadline)
-            return SmoothedModel(augmented, problem, kept, tuple(self.free), smoothed)
+            return SmoothedModel(augmented, problem, distinct_inputs, tuple(self.free), smoothed)
         except (np.linalg.LinAlgError, ValueError):
             self.notes.append(
                 "the balances could not be opened: the simulation fails near the measured trajectory"
@@ -213,7 +213,7 @@ class Explainer:
         """The unknown inputs that act, one of each set that the model cannot tell apart."""
         if not augmented.unknown_inputs:
             return ()
-        grid, kept = problem.grid, list[int]()
+        grid, distinct = problem.grid, list[int]()
         p = grid.parameters[grid.run_of_node]
         slopes = problem.model.everything(
             grid.time, x, grid.node_inputs, grid.node_delayed, p
@@ -225,12 +225,14 @@ class Explainer:
         for i in sorted(range(len(places)), key=lambda i: (places[i], i)):
             if not problem.unknown_size[i] > 0:
                 continue
-            same = next((k for k in kept if _parallel(slopes[:, :, i], slopes[:, :, k])), None)
-            if same is None:
-                kept.append(i)
+            equivalent = next(
+                (k for k in distinct if _parallel(slopes[:, :, i], slopes[:, :, k])), None
+            )
+            if equivalent is None:
+                distinct.append(i)
             else:
-                self._note_same(augmented.unknown_inputs[same], augmented.unknown_inputs[i])
-        return tuple(augmented.unknown_inputs[i] for i in kept)
+                self._note_same(augmented.unknown_inputs[equivalent], augmented.unknown_inputs[i])
+        return tuple(augmented.unknown_inputs[i] for i in distinct)
 
     def _note_same(self, a: UnknownInput, b: UnknownInput) -> None:
         text = (

@@ -85,8 +85,8 @@ def make_grid(
         stated = data.parameters_of(run, values)
         p = np.array([stated.get(n, v) for n, v in defaults.items()])
         inputs_of_run = _input_pieces(ode, run, stated)
-        shown = _shown(ode, run, p)
-        t = _node_times(run, shown, inputs_of_run, spacing)
+        sample_times = _shown(ode, run, p)
+        t = _node_times(run, sample_times, inputs_of_run, spacing)
         if extra_nodes:
             t = np.union1d(t, extra_nodes[r])
         end = np.append(t[:1], t[1:] - _INSIDE * np.diff(t))
@@ -96,7 +96,7 @@ def make_grid(
         stages.append(_at(inputs_of_run, inside))
         delayed.append(_delayed(ode, p, inputs_of_run, end, t[0]))
         stage_delayed.append(_delayed(ode, p, inputs_of_run, inside, t[0]))
-        measured.append(_samples(run, shown, t, signals))
+        measured.append(_samples(run, sample_times, t, signals))
         parameters.append(p)
         starts.append([stated.get(state.name, np.nan) for state in ode.states])
     first_nodes = np.cumsum([0, *(len(t) for t in times)])
@@ -150,7 +150,7 @@ def _node_times(run: Run, shown: Array, inputs_of_run: Sequence[Pieces], spacing
     if len(bends) > len(sampled) / 4:  # a measured input bends at every sample
         bends = bends[:0]
     fixed = np.union1d(bends, [begin, end])
-    kept = [fixed[:1]]
+    node_parts = [fixed[:1]]
     for a, b in zip(fixed[:-1].tolist(), fixed[1:].tolist(), strict=True):
         sample_times = sampled[(sampled > a) & (sampled < b)]
         slots = np.floor((sample_times - a) / spacing * (1 + 1e-9))
@@ -159,8 +159,8 @@ def _node_times(run: Run, shown: Array, inputs_of_run: Sequence[Pieces], spacing
         starts = np.append(a, chosen)
         for start, stop in zip(starts.tolist(), ends.tolist(), strict=True):
             parts = max(1, int(np.ceil((stop - start) / spacing / 2)))
-            kept.append(np.linspace(start, stop, parts + 1)[1:])
-    return np.concatenate(kept)
+            node_parts.append(np.linspace(start, stop, parts + 1)[1:])
+    return np.concatenate(node_parts)
 
 
 def _at(inputs_of_run: Sequence[Pieces], times: Array) -> Array:
@@ -184,17 +184,17 @@ def _delayed(
     return np.column_stack(columns)
 
 
-def _samples(run: Run, shown: Array, times: Array, signals: Sequence[str]) -> Array:
+def _samples(run: Run, sample_times: Array, times: Array, signals: Sequence[str]) -> Array:
     samples = np.full((len(times), len(signals)), np.nan)
     for j, name in enumerate(signals):
         values = run.measurements.get(name)
         if values is None:
             continue
-        kept = np.isfinite(values)
-        at, last = np.unique(shown[kept][::-1], return_index=True)
-        last_values = values[kept][::-1][last]
+        is_measured = np.isfinite(values)
+        at, last = np.unique(sample_times[is_measured][::-1], return_index=True)
+        last_values = values[is_measured][::-1][last]
         place = np.searchsorted(times, at)
         place = np.minimum(place, len(times) - 1)
-        same = np.abs(times[place] - at) <= 1e-9 * np.maximum(1.0, np.abs(at))
-        samples[place[same], j] = last_values[same]
+        is_at_node = np.abs(times[place] - at) <= 1e-9 * np.maximum(1.0, np.abs(at))
+        samples[place[is_at_node], j] = last_values[is_at_node]
     return samples

@@ -159,9 +159,9 @@ class Ledger(Printed, Plain):
         ]
         lines[0] += f"; mean square error {self.before:.4g} -> {self.after:.4g} noise variances"
         for e in self.entries:
-            what = f", {e.size:.3g} {e.unit} rms" if e.courses else ""
+            size_text = f", {e.size:.3g} {e.unit} rms" if e.courses else ""
             lines.append(
-                f"  {e.balance:7} share {100 * e.share:5.1f} %, alone {100 * e.explains:5.1f} %{what}"
+                f"  {e.balance:7} share {100 * e.share:5.1f} %, alone {100 * e.explains:5.1f} %{size_text}"
             )
         if "sensor" in self.failing:
             r = self.readings[0]

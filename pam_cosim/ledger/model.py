@@ -48,8 +48,10 @@ class Model:
         by = ca.vertcat(ode.x, *[ode.p[i] for i in [*self.unknown_at, *self.free_at]])
         f = ode.derivatives
         self._rates = _AtPoints("rates", arguments, [f, ca.jacobian(f, by)])
-        both = ca.vertcat(f, h)
-        self._all = _AtPoints("all", arguments, [both, ca.jacobian(both, by)])
+        rates_and_outputs = ca.vertcat(f, h)
+        self._all = _AtPoints(
+            "all", arguments, [rates_and_outputs, ca.jacobian(rates_and_outputs, by)]
+        )
         begin = ode.start_rates
         self._start_rates = _AtPoints("begin", arguments, [begin, ca.jacobian(begin, ode.x)])
         self._initial = ca.Function("initial", [ode.p, ode.u], [ode.initial])
@@ -117,13 +119,13 @@ class _AtPoints:
     def __call__(self, *arguments: Array) -> list[Array]:
         """Results (K, size) of arguments (K, size), or (K,) where the size is 1."""
         count = len(arguments[0])
-        made: tuple[Any, Any] = self._few.get(count) or self._function.map(count).buffer()
-        buffer, evaluate = made
+        buffered: tuple[Any, Any] = self._few.get(count) or self._function.map(count).buffer()
+        buffer, evaluate = buffered
         if count <= _FEW:
             self._few[count] = buffer, evaluate
-        given = [np.ascontiguousarray(argument, dtype=float) for argument in arguments]
+        dense_arguments = [np.ascontiguousarray(argument, dtype=float) for argument in arguments]
         results = [np.empty((count, size)) for size in self._sizes]
-        for i, argument in enumerate(given):
+        for i, argument in enumerate(dense_arguments):
             buffer.set_arg(i, argument.data)
         for i, result in enumerate(results):
             buffer.set_res(i, result.data)

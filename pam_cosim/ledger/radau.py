@@ -107,11 +107,11 @@ def _step(
     t = np.concatenate([at + STAGE * h[:, 0], at + h[:, 0]])
     u = np.concatenate([grid.stage_inputs[step], grid.node_inputs[grid.left[step] + 1]])
     d = np.concatenate([grid.stage_delayed[step], grid.node_delayed[grid.left[step] + 1]])
-    both = np.concatenate([p, p])
+    parameters_of_both = np.concatenate([p, p])
     s, y = x.copy(), x.copy()
     eye = np.eye(n)
     for _ in range(_ITERATIONS):
-        f = model.rates(t, np.concatenate([s, y]), u, d, both)
+        f = model.rates(t, np.concatenate([s, y]), u, d, parameters_of_both)
         f1, f2, a1, a2 = f.value[:r], f.value[r:], f.by_state[:r], f.by_state[r:]
         hh = h[:, :, None]
         residual = np.concatenate(

@@ -40,11 +40,11 @@ def settled(rates: Rates, begin: Array, moves: NDArray[np.bool_], size: Array) -
         part = float(np.max(np.abs(step) / (np.abs(x[moves]) + size[moves])))
         if part <= _STILL and h >= _LAST:
             return x
-        there = x.copy()
-        there[moves] += step
-        new = _of_those(rates(there), moves) if part <= _FAR else None
+        candidate = x.copy()
+        candidate[moves] += step
+        new = _of_those(rates(candidate), moves) if part <= _FAR else None
         if new is not None and all(np.isfinite(value).all() for value in new):
-            x, (f, by), h = there, new, min(h * _GROW, _LAST)
+            x, (f, by), h = candidate, new, min(h * _GROW, _LAST)
         else:
             h *= _SHRINK
         if h < _LEAST:

@@ -115,15 +115,15 @@ def additional_fault(
 
     ``deviance`` and ``chi2`` are of this signal alone; the error of the signal is neglected.
     """
-    kept = np.isfinite(measured)
-    span = float(np.ptp(measured[kept])) or 1.0
-    tried = []
+    is_measured = np.isfinite(measured)
+    span = float(np.ptp(measured[is_measured])) or 1.0
+    solutions = []
     for lag, lagged in zip(
         (0.0, *_lags(grid)),
         (readings[:, None], *_lagged(grid, readings[:, None], _lags(grid))),
         strict=True,
     ):
-        y = lagged[kept, 0]
+        y = lagged[is_measured, 0]
         rows = (
             np.column_stack(
                 [
@@ -133,7 +133,7 @@ def additional_fault(
             )
             / sigma
         )
-        r = (measured[kept] - y) / sigma
+        r = (measured[is_measured] - y) / sigma
         matrix = rows.T @ rows + np.eye(2)
         change = np.linalg.solve(matrix, rows.T @ r)
         chi2 = float(((r - rows @ change) ** 2).sum())
@@ -142,8 +142,8 @@ def additional_fault(
             + float((change**2).sum() + np.linalg.slogdet(matrix)[1])
             + 2 * float(np.log(_LAGS + 1))
         )
-        tried.append((deviance, chi2, lag, change, np.sqrt(np.diag(np.linalg.inv(matrix)))))
-    deviance, chi2, lag, change, spread = min(tried, key=lambda t: t[0])
+        solutions.append((deviance, chi2, lag, change, np.sqrt(np.diag(np.linalg.inv(matrix)))))
+    deviance, chi2, lag, change, spread = min(solutions, key=lambda t: t[0])
     offset = _OFFSET * span
     return SensorFault(
         signal[0],
@@ -200,8 +200,8 @@ class _Linearised:
             extra = np.zeros((*slopes.shape[:2], 2))
             extra[:, j, 0] = _OFFSET * span / problem.sigma[j]
             extra[:, j, 1] = _GAIN * (readings[:, 0] - np.mean(readings[:, 0])) / problem.sigma[j]
-        kept = np.isfinite(residual)
-        rows, r = np.concatenate([slopes, extra], axis=2)[kept], residual[kept]
+        is_measured = np.isfinite(residual)
+        rows, r = np.concatenate([slopes, extra], axis=2)[is_measured], residual[is_measured]
         prior = np.zeros(rows.shape[1])
         prior[: len(self.free)] = (problem.prior - self.free) / problem.spread
         matrix = rows.T @ rows + np.eye(rows.shape[1])
@@ -222,8 +222,8 @@ class _Linearised:
         change = np.zeros(len(right))
         for _ in range(q + 1):
             loose = ~held
-            rest = right[loose] - matrix[np.ix_(loose, held)] @ change[held]
-            change[loose] = np.linalg.solve(matrix[np.ix_(loose, loose)], rest)
+            remaining_right = right[loose] - matrix[np.ix_(loose, held)] @ change[held]
+            change[loose] = np.linalg.solve(matrix[np.ix_(loose, loose)], remaining_right)
             passed = loose & ((change < low) | (change > high))
             if not passed.any():
                 break
@@ -237,12 +237,12 @@ def _fault(linearised: _Linearised, signal: tuple[str, str], j: int) -> SensorFa
     span = float(np.nanmax(grid.measured[:, j]) - np.nanmin(grid.measured[:, j])) or 1.0
     lags = _lags(grid)
     reading_series = np.column_stack([linearised.linear.outputs[:, j], linearised.slopes[:, j]])
-    tried = [(0.0, linearised.least_squares(j, reading_series, span))]
-    tried += [
+    solutions_by_lag = [(0.0, linearised.least_squares(j, reading_series, span))]
+    solutions_by_lag += [
         (lag, linearised.least_squares(j, readings, span))
         for lag, readings in zip(lags.tolist(), _lagged(grid, reading_series, lags), strict=True)
     ]
-    lag, best = min(tried, key=lambda t: t[1].deviance)
+    lag, best = min(solutions_by_lag, key=lambda t: t[1].deviance)
     q = len(linearised.free)
     free = np.clip(
         linearised.free + best.change[:q] * linearised.problem.spread,
@@ -257,7 +257,7 @@ def _fault(linearised: _Linearised, signal: tuple[str, str], j: int) -> SensorFa
         gain=float(best.change[q + 1]) * _GAIN,
         gain_deviation=float(best.deviation[q + 1]) * _GAIN,
         lag=lag,
-        deviance=best.deviance + 2 * float(np.log(len(tried))),
+        deviance=best.deviance + 2 * float(np.log(len(solutions_by_lag))),
         chi2=best.chi2,
         free=tuple(free.tolist()),
     )

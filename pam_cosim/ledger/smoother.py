@@ -91,9 +91,9 @@ def smooth(problem: SmoothingProblem, start: Point, deadline: float = math.inf) 
             q, rounds, part = likeliest_noise_intensity(problem, linear, point, q), rounds + 1, 1.0
         elif before > _CLOSE and iteration > len(_FIRST_SLACKS) + 1:
             part = max(part / 2, 0.25) if growing else min(2 * part, 1.0)
-        point, linear, moved = _advanced(problem, linear, point, q, part, slack)
-        growing, before = moved > 0.7 * before, moved
-        if last and moved < _CLOSE and rounds == enough:
+        point, linear, distance = _advanced(problem, linear, point, q, part, slack)
+        growing, before = distance > 0.7 * before, distance
+        if last and distance < _CLOSE and rounds == enough:
             break
     return _result(problem, linear, point, q)
 
@@ -108,7 +108,7 @@ def _advanced(
 ) -> tuple[Point, LinearisedProblem, float]:
     """One iteration; a step that leads out of what the model can evaluate is shortened."""
     for _ in range(_SHORTENED):
-        new, moved = _stepped(problem, linear, point, q, part)
+        new, distance = _stepped(problem, linear, point, q, part)
         with np.errstate(all="ignore"):
             about = linearise(problem, new, slack)
         if (
@@ -116,7 +116,7 @@ def _advanced(
             and np.isfinite(about.matrix.diagonal).all()
             and np.isfinite(about.gradient).all()
         ):
-            return new, about, moved
+            return new, about, distance
         part /= 3
     raise np.linalg.LinAlgError("the model has no finite values near the samples")
 

@@ -152,15 +152,17 @@ def linearise(problem: SmoothingProblem, point: Point, slack: float = SLACK) -> 
     weight = 1 / slack**2
 
     values = [v[:, n:] for v in node]
-    kept = np.isfinite(grid.measured)
-    residual = np.where(kept, grid.measured - values[0], np.nan)
-    r = np.where(kept, -residual / problem.sigma, 0.0)
+    is_measured = np.isfinite(grid.measured)
+    residual = np.where(is_measured, grid.measured - values[0], np.nan)
+    r = np.where(is_measured, -residual / problem.sigma, 0.0)
     rows = (
         np.concatenate([values[1] * scale, values[2] * problem.unknown_size], axis=2)
         / problem.sigma[:, None]
     )
-    rows = np.where(kept[:, :, None], rows, 0.0)
-    rows_free = np.where(kept[:, :, None], values[3] * problem.spread / problem.sigma[:, None], 0.0)
+    rows = np.where(is_measured[:, :, None], rows, 0.0)
+    rows_free = np.where(
+        is_measured[:, :, None], values[3] * problem.spread / problem.sigma[:, None], 0.0
+    )
 
     b = n + m
     diagonal = np.einsum("nsi,nsj->nij", rows, rows)

@@ -42,7 +42,7 @@ def term_series(
     for r, run in enumerate(grid.runs):
         at = grid.nodes(r)
         values_at_point = {n: v[at] for n, v in against.items()}
-        same = {n: imitated[at, q] for q, n in enumerate(explanation.free)}
+        imitations = {n: imitated[at, q] for q, n in enumerate(explanation.free)}
         series.append(
             TermSeries(
                 run.name,
@@ -51,7 +51,7 @@ def term_series(
                 value[at],
                 smoothed.deviation[at, j],
                 values_at_point,
-                same,
+                imitations,
             )
         )
     return tuple(series), units
