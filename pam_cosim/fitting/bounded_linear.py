@@ -37,9 +37,9 @@ def bounded_least_squares(matrix: Array, right: Array, low: Array, high: Array) 
         (n,).
     """
 
-    def solve(moved: Moved, x: Array, size: Array, bounds: Bounds) -> Array:
-        rest = right - matrix[:, ~moved] @ x[~moved]
-        return _of_rows(*_triangle(matrix[:, moved] / size, rest), *bounds)
+    def solve(is_free: Moved, x: Array, size: Array, bounds: Bounds) -> Array:
+        remaining_right = right - matrix[:, ~is_free] @ x[~is_free]
+        return _of_rows(*_triangle(matrix[:, is_free] / size, remaining_right), *bounds)
 
     return _in_scale(np.linalg.norm(matrix, axis=0), low, high, solve)
 
@@ -57,10 +57,10 @@ def bounded_minimum(square: Array, along: Array, low: Array, high: Array, ridge:
         (n,).
     """
 
-    def solve(moved: Moved, x: Array, size: Array, bounds: Bounds) -> Array:
-        rest = along[moved] - square[np.ix_(moved, ~moved)] @ x[~moved]
-        scaled = square[np.ix_(moved, moved)] / np.outer(size, size)
-        return _of_square(scaled + ridge * np.eye(len(size)), rest / size, *bounds)
+    def solve(is_free: Moved, x: Array, size: Array, bounds: Bounds) -> Array:
+        remaining_gradient = along[is_free] - square[np.ix_(is_free, ~is_free)] @ x[~is_free]
+        scaled = square[np.ix_(is_free, is_free)] / np.outer(size, size)
+        return _of_square(scaled + ridge * np.eye(len(size)), remaining_gradient / size, *bounds)
 
     return _in_scale(np.sqrt(np.maximum(np.diag(square), 0.0)), low, high, solve)
 
@@ -70,11 +70,11 @@ def _in_scale(
 ) -> Array:
     """The solution where every column has length one, of those that something moves, in the scale of the problem."""
     x: Array = np.clip(np.zeros(len(size)), low, high)
-    moved = (size > 0) & (low < high)
-    if moved.any():
-        moved_size = size[moved]
-        scaled = solve(moved, x, moved_size, (low[moved] * moved_size, high[moved] * moved_size))
-        x[moved] = np.clip(scaled / moved_size, low[moved], high[moved])
+    is_free = (size > 0) & (low < high)
+    if is_free.any():
+        free_size = size[is_free]
+        scaled = solve(is_free, x, free_size, (low[is_free] * free_size, high[is_free] * free_size))
+        x[is_free] = np.clip(scaled / free_size, low[is_free], high[is_free])
     return x
 
 
@@ -83,8 +83,8 @@ def _triangle(rows: Array, right: Array) -> tuple[Array, Array]:
     n = rows.shape[1]
     if len(rows) <= n:
         return rows, right
-    both: Array = np.asarray(np.linalg.qr(np.column_stack([rows, right]), mode="r"))
-    return both[:n, :n], both[:n, n]
+    triangle: Array = np.asarray(np.linalg.qr(np.column_stack([rows, right]), mode="r"))
+    return triangle[:n, :n], triangle[:n, n]
 
 
 def _of_rows(rows: Array, right: Array, low: Array, high: Array) -> Array:

@@ -75,7 +75,7 @@ def combinations(
         for i, e in enumerate(parameters.values())
         if not e.determined and e.value > 0 and size[i] > 0
     ]
-    made = []
+    found_combinations = []
     for i, j in itertools.combinations(open_ones, 2):
         for kind, sign in (("product", 1.0), ("ratio", -1.0)):
             apart = np.linalg.norm(by_logarithm[:, i] - sign * by_logarithm[:, j])
@@ -83,8 +83,10 @@ def combinations(
             if is_parallel and _changes_nothing(objective, z, i, j, -sign):
                 correlated = [j, *(k for k in open_ones if k != i)]
                 deviation = spread * _deviation(by_logarithm, i, correlated)
-                made.append(_combination(list(parameters.items()), i, j, kind, deviation))
-    return tuple(made)
+                found_combinations.append(
+                    _combination(list(parameters.items()), i, j, kind, deviation)
+                )
+    return tuple(found_combinations)
 
 
 def _changes_nothing(objective: Objective, z: Array, i: int, j: int, power: float) -> bool:
@@ -92,22 +94,22 @@ def _changes_nothing(objective: Objective, z: Array, i: int, j: int, power: floa
     low, high = objective.bounds
     # Whichever stays within the bounds.
     for stretch in (_EXCHANGE_FACTOR, 1 / _EXCHANGE_FACTOR):
-        moved = z.copy()
+        shifted = z.copy()
         for k, factor in ((i, stretch), (j, stretch**power)):
             free = objective.free[k]
-            moved[k] = free.to_z(free.to_value(float(z[k])) * factor)
-        if np.all((moved >= low) & (moved <= high)):
-            change = objective.residuals(moved) - objective.residuals(z)
+            shifted[k] = free.to_z(free.to_value(float(z[k])) * factor)
+        if np.all((shifted >= low) & (shifted <= high)):
+            change = objective.residuals(shifted) - objective.residuals(z)
             return bool(np.sqrt(np.mean(change**2)) < _UNCHANGED_RMS)
     return False
 
 
 def _deviation(by_logarithm: Array, i: int, without: Sequence[int]) -> float:
     """Standard deviation of the logarithm of parameter i where those in ``without`` are held."""
-    kept = [
+    free_columns = [
         k for k in range(by_logarithm.shape[1]) if k not in without and np.any(by_logarithm[:, k])
     ]
-    return float(standard_deviations(by_logarithm[:, kept])[kept.index(i)])
+    return float(standard_deviations(by_logarithm[:, free_columns])[free_columns.index(i)])
 
 
 def _combination(

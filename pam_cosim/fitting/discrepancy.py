@@ -126,8 +126,10 @@ def _memory(time: Array, error: Array, excess: float) -> float:
         return step / 2.0
     even = np.interp(grid, time, error)
     power, correlation = float(np.sum(even**2)), autocorrelation(even, count)
-    gone = np.flatnonzero(correlation <= CRITERIA.residuals.memory_gone / sqrt(count))
-    summed = power * float(np.sum(correlation[1 : gone[0] if len(gone) else count]))
+    insignificant = np.flatnonzero(correlation <= CRITERIA.residuals.memory_gone / sqrt(count))
+    summed = power * float(
+        np.sum(correlation[1 : insignificant[0] if len(insignificant) else count])
+    )
     return step * (0.5 + summed / max(excess, power * float(correlation[1])))
 
 

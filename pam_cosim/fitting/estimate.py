@@ -113,9 +113,9 @@ def standard_deviations(jacobian: Array) -> Array:
     """Square roots of the diagonal of (J'J)^-1, directions that the data do not see left infinite."""
     norms = np.linalg.norm(jacobian, axis=0)
     _, s, vt = np.linalg.svd(jacobian / norms, full_matrices=False)
-    seen = s > CRITERIA.fit.seen * s[0]
-    variance = ((vt[seen] / s[seen, None]) ** 2).sum(axis=0)
-    blind = (vt[~seen] ** 2).sum(axis=0) > CRITERIA.fit.blind
+    is_determined = s > CRITERIA.fit.seen * s[0]
+    variance = ((vt[is_determined] / s[is_determined, None]) ** 2).sum(axis=0)
+    blind = (vt[~is_determined] ** 2).sum(axis=0) > CRITERIA.fit.blind
     return np.where(blind, np.inf, np.sqrt(variance) / norms)
 
 

@@ -237,9 +237,9 @@ def fit(
     chosen = tuple(base_parameters(data, simulator.interface) if free is None else free)
     if resume is not None:
         with closing(LoggedSimulator(simulator, resume)) as logged:
-            known = cast(AnySimulator, logged)
+            cached = cast(AnySimulator, logged)
             return fit(
-                known, data, chosen, fixed=fixed, starts=starts, options=options, progress=progress
+                cached, data, chosen, fixed=fixed, starts=starts, options=options, progress=progress
             )
     tracker = Tracker({n: signal.unit for n, signal in data.signals.items()}, progress)
     is_over = options.limit()
@@ -293,13 +293,13 @@ def _holdout_uncertainty(
     values: Mapping[str, float],
     options: FitOptions,
     z: Array,
-    left: ResidualStatistics,
+    residuals_of_fit: ResidualStatistics,
 ) -> HoldoutUncertainty:
     runs = fitted.data.holdout_runs
     if not options.holdout_uncertainty or not runs:
         return HoldoutUncertainty()
     # No allowance is made for a model with structured residuals in the fitted runs.
-    if left.exceeds(CRITERIA.residuals.drift) and _is_correlated(left):
+    if residuals_of_fit.exceeds(CRITERIA.residuals.drift) and _is_correlated(residuals_of_fit):
         return HoldoutUncertainty()
     free_without_priors = [
         replace(parameter, prior=None) for parameter in fitted.free
@@ -308,7 +308,7 @@ def _holdout_uncertainty(
         fitted.simulator, fitted.data, runs, free_without_priors, values, options.tolerance
     )
     holdout.starts.state_ranges = fitted.starts.state_ranges
-    return estimate_holdout_uncertainty(fitted, holdout, z, spread_of(left), options)
+    return estimate_holdout_uncertainty(fitted, holdout, z, spread_of(residuals_of_fit), options)
 
 
 def profile(

@@ -120,25 +120,25 @@ def base_parameters(data: DataSet, interface: Interface) -> tuple[Free, ...]:
     return tuple(free_parameter(parameter, data, interface) for parameter in data.fit.values())
 
 
-def free_parameter(one: FreeParameter, data: DataSet, interface: Interface) -> Free:
+def free_parameter(entry: FreeParameter, data: DataSet, interface: Interface) -> Free:
     """One of them; arguments and errors as for ``base_parameters``."""
-    variable = interface.parameters.get(one.parameter)
+    variable = interface.parameters.get(entry.parameter)
     if variable is None:
         raise InputError(
-            f"{interface.model} has no parameter '{one.parameter}' to fit",
+            f"{interface.model} has no parameter '{entry.parameter}' to fit",
             data.folder / "experiment.toml",
         )
-    ratio = is_ratio(one.name)
-    start = _start(one.start, variable.start, one.min, one.max)
+    ratio = is_ratio(entry.name)
+    start = _start(entry.start, variable.start, entry.min, entry.max)
     return Free(
-        one.name,
-        one.min,
-        one.max,
+        entry.name,
+        entry.min,
+        entry.max,
         start,
         "1" if ratio else variable.unit,
-        transform=one.transform,
-        prior=one.prior,
-        run=one.run,
+        transform=entry.transform,
+        prior=entry.prior,
+        run=entry.run,
     )
 
 

@@ -71,9 +71,9 @@ def estimate_holdout_uncertainty(
 def _by_series(holdout: Objective, shift_rows: Array) -> dict[tuple[str, str], Array]:
     """What the residuals of each series move by."""
     shifts, row = {}, 0
-    for (run, name), kept in zip(holdout.series, holdout.kept, strict=True):
-        shift = np.zeros(len(kept))
-        shift[kept] = shift_rows[row : row + int(kept.sum())]
+    for (run, name), sample_mask in zip(holdout.series, holdout.kept, strict=True):
+        shift = np.zeros(len(sample_mask))
+        shift[sample_mask] = shift_rows[row : row + int(sample_mask.sum())]
         shifts[run.name, name] = shift
-        row += int(kept.sum())
+        row += int(sample_mask.sum())
     return shifts

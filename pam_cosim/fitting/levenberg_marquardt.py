@@ -76,8 +76,8 @@ def levenberg_marquardt(
         step, predicted = _step(linear, np.where(size > 0, size, 1.0), damping, box)
         if predicted <= 0 or np.all(np.abs(step) <= _STEP * (_STEP + np.abs(z))):
             break
-        moved = np.clip(z + step, low, high)
-        new = squares(moved)
+        candidate = np.clip(z + step, low, high)
+        new = squares(candidate)
         reduction = cost - new
         gain_ratio = reduction / predicted
         if not gain_ratio > _ACCEPTED:  # an infinite residual is no gain either
@@ -88,7 +88,7 @@ def levenberg_marquardt(
             trust_radius = float(np.max(np.abs(step))) / 2
             continue
         little = reduction < precision * cost and gain_ratio > _TRUSTED
-        z, cost, linear = moved, new, triangle(moved)
+        z, cost, linear = candidate, new, triangle(candidate)
         size = np.maximum(size, np.linalg.norm(linear[:, :-1], axis=0))
         damping, growth = damping * max(1 / 3, 1 - (2 * gain_ratio - 1) ** 3), 2.0
         trust_radius *= 2 if gain_ratio > _RELIABLE else 1

@@ -49,10 +49,10 @@ class Linear:
     @property
     def movable(self) -> Array:
         """(m, j) the slopes by the parameters that no bound keeps where they are."""
-        near = CRITERIA.fit.at_bound * (self.high - self.low)
-        wanted = self.slopes.T @ self.residual
-        low, high = self.values <= self.low + near, self.values >= self.high - near
-        return self.slopes[:, ~((low & (wanted < 0)) | (high & (wanted > 0)))]
+        margin = CRITERIA.fit.at_bound * (self.high - self.low)
+        gradient = self.slopes.T @ self.residual
+        low, high = self.values <= self.low + margin, self.values >= self.high - margin
+        return self.slopes[:, ~((low & (gradient < 0)) | (high & (gradient > 0)))]
 
 
 def bounded_step(linear: Linear) -> Array:
@@ -61,11 +61,11 @@ def bounded_step(linear: Linear) -> Array:
         np.minimum(linear.low - linear.values, 0.0),
         np.maximum(linear.high - linear.values, 0.0),
     )
-    rows, wanted = linear.slopes, linear.residual
+    rows, targets = linear.slopes, linear.residual
     if linear.priors:
-        known, pull = prior_rows(linear.names, linear.values, linear.priors)
-        rows, wanted = np.vstack([rows, np.diag(known)]), np.append(wanted, pull)
-    return bounded_least_squares(rows, wanted, low, high)
+        prior_slopes, pull = prior_rows(linear.names, linear.values, linear.priors)
+        rows, targets = np.vstack([rows, np.diag(prior_slopes)]), np.append(targets, pull)
+    return bounded_least_squares(rows, targets, low, high)
 
 
 def prior_rows(
@@ -76,14 +76,14 @@ def prior_rows(
         (priors[n].slope(v), -priors[n].surprise(v)) if n in priors else (0.0, 0.0)
         for n, v in zip(names, values.tolist(), strict=True)
     ]
-    slopes, wanted = np.array(determined).reshape(-1, 2).T
-    return slopes, wanted
+    slopes, targets = np.array(determined).reshape(-1, 2).T
+    return slopes, targets
 
 
 def reduction_by(linear: Linear, step: Array) -> float:
     """By how much the sum of squares of the samples falls with a step (k,), to first order."""
-    moved = linear.slopes @ step
-    return max(float(moved @ (2 * linear.residual - moved)), 0.0)
+    change = linear.slopes @ step
+    return max(float(change @ (2 * linear.residual - change)), 0.0)
 
 
 def linearised(objective: Objective, z: Array, rows: int) -> Linear | None:
@@ -93,7 +93,7 @@ def linearised(objective: Objective, z: Array, rows: int) -> Linear | None:
         return None
     by_z = objective.jacobian(z, residual)
     slope = np.array([f.slope(float(c)) for f, c in zip(objective.free, z, strict=True)])
-    both = _condensed(
+    residual_and_slopes = _condensed(
         np.column_stack([residual, -by_z / slope])[: objective.size], objective.kept, rows
     )
     return Linear(
@@ -101,8 +101,8 @@ def linearised(objective: Objective, z: Array, rows: int) -> Linear | None:
         np.array([f.to_value(float(c)) for f, c in zip(objective.free, z, strict=True)]),
         np.array([f.low for f in objective.free]),
         np.array([f.high for f in objective.free]),
-        both[:, 0],
-        both[:, 1:],
+        residual_and_slopes[:, 0],
+        residual_and_slopes[:, 1:],
         {f.name: f.prior for f in objective.free if f.prior is not None},
         tuple(
             (name, len(begin))
@@ -143,8 +143,11 @@ def judged_by(linear: Linear, runs: Sequence[RunComparison], data: DataSet, rows
     series = [(r, n) for r in runs if r.run.role == "fit" for n in measured_signals(r.run, data)]
     at_samples = [(n, *r.at_samples(n)) for r, n in series]
     errors = [standardized_residuals(e, data.signals[n], y) for n, _, e, y in at_samples]
-    residuals, kept = np.concatenate([np.zeros(0), *errors]), [kept for _, kept, _, _ in at_samples]
-    return replace(linear, residual=_condensed(residuals[:, None], kept, rows)[:, 0])
+    residuals, masks = (
+        np.concatenate([np.zeros(0), *errors]),
+        [masks for _, masks, _, _ in at_samples],
+    )
+    return replace(linear, residual=_condensed(residuals[:, None], masks, rows)[:, 0])
 
 
 def residual_rows(objective: Objective, z: Array, rows: int) -> Array | None:
@@ -161,15 +164,15 @@ def rows_of_series(objective: Objective, rows: int) -> NDArray[np.int_]:
     return np.repeat(np.arange(len(begin)), [len(b) for b in begin])
 
 
-def _condensed(matrix: Array, kept: Sequence[NDArray[np.bool_]], rows: int) -> Array:
+def _condensed(matrix: Array, masks: Sequence[NDArray[np.bool_]], rows: int) -> Array:
     """Means over blocks of each series of rows, times the root of their length; a missing sample counts for nothing.
 
     Which rows there are depends on the times of all samples, not on which of them are missing.
     """
-    sample_mask = np.concatenate(kept) if kept else np.zeros(0, bool)
+    sample_mask = np.concatenate(masks) if masks else np.zeros(0, bool)
     full = np.zeros((len(sample_mask), matrix.shape[1]))
     full[sample_mask] = matrix
-    blocks = _blocks(kept, rows)
+    blocks = _blocks(masks, rows)
     if not len(sample_mask) or sum(map(len, blocks)) == len(sample_mask):
         return full
     begin = np.concatenate([b for b in blocks if len(b)])
@@ -178,9 +181,9 @@ def _condensed(matrix: Array, kept: Sequence[NDArray[np.bool_]], rows: int) -> A
     return sums / np.sqrt(np.maximum(counts, 1.0))[:, None]
 
 
-def _blocks(kept: Sequence[NDArray[np.bool_]], rows: int) -> list[NDArray[np.int_]]:
+def _blocks(masks: Sequence[NDArray[np.bool_]], rows: int) -> list[NDArray[np.int_]]:
     """Where the blocks of each series begin, in about so many rows in all."""
-    lengths = [len(series) for series in kept]
+    lengths = [len(series) for series in masks]
     block = max(1, round(sum(lengths) / rows))
     ends = np.cumsum([0, *lengths])
     return [np.arange(at, at + n, block) for at, n in zip(ends[:-1], lengths, strict=True)]

@@ -142,9 +142,9 @@ class Objective:
             self._latest = None
             return self.residuals(z)
 
-        here, values = self.residuals(z), self.values(z)
+        residuals, values = self.residuals(z), self.values(z)
         estimated_starts = self.starts.found_others(
-            z, values, here, anew, self._start_values_of_part
+            z, values, residuals, anew, self._start_values_of_part
         )
         self._latest = None
         if estimated_starts:
@@ -155,11 +155,15 @@ class Objective:
         """The start values by state [SI] that leave least of a part of a run; none where it fails."""
         if self.is_over():
             return {}
-        few = Objective(self.simulator, self.data, [part], (), values, self.tolerance)
-        few.starts.state_ranges = self.starts.state_ranges
-        if not np.isfinite(few.squares(np.zeros(0))):
+        objective_of_part = Objective(self.simulator, self.data, [part], (), values, self.tolerance)
+        objective_of_part.starts.state_ranges = self.starts.state_ranges
+        if not np.isfinite(objective_of_part.squares(np.zeros(0))):
             return {}
-        return {n: v for start in few.starts.by_run.values() for n, v in start.named().items()}
+        return {
+            n: v
+            for start in objective_of_part.starts.by_run.values()
+            for n, v in start.named().items()
+        }
 
     def _run(self, z: Array, i: int, outputs: Sequence[str]) -> RunComparison:
         """A run at ``z``. Raises SimulationFailure where it does not reach its end."""
@@ -229,12 +233,14 @@ class Objective:
         runs, parts = list[RunComparison](), [np.zeros(0)]
         for i, outputs in enumerate(self._outputs):
             if i in self.starts.by_run:
-                run, left = self.starts.eliminated(i, partial(self._run_with_start_slopes, z, i))
+                run, remaining_residuals = self.starts.eliminated(
+                    i, partial(self._run_with_start_slopes, z, i)
+                )
             else:
                 run = self._run(z, i, outputs)
-                left = self._weighted(run, i)
+                remaining_residuals = self._weighted(run, i)
             runs.append(run)
-            parts.append(left)
+            parts.append(remaining_residuals)
         self.starts.keep(z)
         self.latest_runs = runs
         return np.concatenate(parts)
@@ -250,13 +256,13 @@ class Objective:
         if is_exact:
             columns = [np.column_stack(self._exact_slopes(run, s, n)) for s, n in names.items()]
             return run, residuals, np.vstack(columns)
-        here, columns = start.values, []
+        start_values, columns = start.values, []
         for k, sd in enumerate(start.sd):
-            start.values = here.copy()
+            start.values = start_values.copy()
             start.values[k] += _DIFFERENCE_STEP * sd
-            moved = self._weighted(self._run(z, i, [*self._signals[i]]), i)
-            columns.append((moved - residuals) / (start.values[k] - here[k]))
-            start.values = here
+            shifted_residuals = self._weighted(self._run(z, i, [*self._signals[i]]), i)
+            columns.append((shifted_residuals - residuals) / (start.values[k] - start_values[k]))
+            start.values = start_values
         return run, residuals, np.column_stack(columns)
 
     @property
@@ -345,9 +351,9 @@ class Objective:
 
     def _exact_slopes(self, run: RunComparison, name: str, by: Sequence[str]) -> list[Array]:
         """The slopes of the residuals of a signal, at the samples that are there, by its sensitivities."""
-        kept, error, reading = run.at_samples(name)
+        sample_mask, error, reading = run.at_samples(name)
         by_error = -slope(error, self.data.signals[name], reading)
-        return [by_error * run.model[sensitivity][kept] for sensitivity in by]
+        return [by_error * run.model[sensitivity][sample_mask] for sensitivity in by]
 
     def _exact_jacobian(self, z: Array) -> Array:
         """(size + priors, parameters) at the runs that were simulated last.
@@ -419,16 +425,16 @@ class Objective:
             [np.zeros(0, int), *(np.arange(self.ends[k], self.ends[k + 1]) for k in chosen)]
         )
         for h in (forward, -forward):
-            moved = z.copy()
-            moved[i] = min(max(z[i] + h, low[i]), high[i])
-            if moved[i] == z[i]:
+            shifted_z = z.copy()
+            shifted_z[i] = min(max(z[i] + h, low[i]), high[i])
+            if shifted_z[i] == z[i]:
                 continue
             self.evaluations += 1
             shifted = at[: self.size].copy()
-            shifted[rows] = self._without_slopes(moved, chosen)
-            shifted = self._with_priors(moved, shifted)
+            shifted[rows] = self._without_slopes(shifted_z, chosen)
+            shifted = self._with_priors(shifted_z, shifted)
             if np.all(np.isfinite(shifted)):
-                return np.asarray((shifted - at) / (moved[i] - z[i]))
+                return np.asarray((shifted - at) / (shifted_z[i] - z[i]))
         return np.zeros(len(at))
 
 

@@ -62,18 +62,18 @@ def _ssv(fit: Fit) -> str:
     ElementTree.register_namespace("ssc", _SSC)
     root = ElementTree.Element(f"{{{_SSV}}}ParameterSet", version="1.0", name=fit.model)
     listed = ElementTree.SubElement(root, f"{{{_SSV}}}Parameters")
-    named = {
+    units_by_name = {
         text: _definition(text)
         for text in dict.fromkeys(estimate.unit for estimate in shared.values() if estimate.unit)
     }
-    defined = [unit for unit in named.values() if unit is not None]
+    defined = [unit for unit in units_by_name.values() if unit is not None]
     for name, estimate in shared.items():
         parameter = ElementTree.SubElement(listed, f"{{{_SSV}}}Parameter", name=name)
         ElementTree.SubElement(
             parameter,
             f"{{{_SSV}}}Real",
             {"value": repr(estimate.value)}
-            | ({"unit": estimate.unit} if named.get(estimate.unit) else {}),
+            | ({"unit": estimate.unit} if units_by_name.get(estimate.unit) else {}),
         )
     units = ElementTree.SubElement(root, f"{{{_SSV}}}Units") if defined else root
     for unit in defined:  # a parameter may only refer to a unit that the file defines

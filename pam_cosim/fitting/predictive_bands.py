@@ -133,7 +133,7 @@ def predictive_bands(
     run: Run,
     posterior: ParameterPosterior,
     fitted: dict[str, float],
-    tell: Callable[[int], None] = lambda done: None,
+    tell: Callable[[int], None] = lambda count: None,
     off: Mapping[str, Discrepancy] | None = None,
 ) -> PredictiveBands:
     """Simulates a run with every sample of the parameters.
@@ -154,14 +154,14 @@ def predictive_bands(
     best = simulate_run(simulator, data, run, fitted, None, names)
     drawn: list[dict[str, Array]] = []
     weights: list[float] = []
-    for done, (values, weight) in enumerate(
+    for count, (values, weight) in enumerate(
         zip(posterior.values, posterior.weights, strict=True), 1
     ):
         if weight:
             with suppress(SimulationFailure):
                 drawn.append(simulate_run(simulator, data, run, values, None, names).model)
                 weights.append(float(weight))
-        tell(done)
+        tell(count)
     failed = int(np.count_nonzero(posterior.weights)) - len(drawn)
     if failed > len(drawn):
         raise SimulationFailure(

@@ -144,7 +144,7 @@ def profiles(
     z = np.array([f.to_z(best[f.name]) for f in objective.free])
     lowest, linear = objective.squares(z), objective.triangle(z)
     deviation = spread * standard_deviations(np.where(linear[:, :-1] == 0, 1e-300, linear[:, :-1]))
-    made = {}
+    profiles_by_name = {}
     for i, free in enumerate(objective.free):
         sides = [_side(objective, z, i, sign, deviation[i], lowest, spread) for sign in (-1.0, 1.0)]
         points = [*reversed(sides[0]), (z, 0.0), *sides[1]]
@@ -161,10 +161,10 @@ def profiles(
             (-np.inf if ends[0] is None else ends[0]),
             (np.inf if ends[1] is None else ends[1]),
         )
-        made[free.name] = Profile(
+        profiles_by_name[free.name] = Profile(
             free.name, free.unit, best[free.name], at[:, i], rise, low, high, other_parameters
         )
-    return Profiles(model, made)
+    return Profiles(model, profiles_by_name)
 
 
 def _side(
@@ -201,23 +201,23 @@ def _side(
 def _refitted(objective: Objective, at: Array, i: int, value: float) -> Array:
     """All other parameters fitted where parameter i is held."""
     low, high = objective.bounds
-    kept = np.arange(len(at)) != i
+    is_other = np.arange(len(at)) != i
 
-    def whole(rest: Array) -> Array:
+    def whole(other_values: Array) -> Array:
         z = np.empty(len(at))
-        z[kept], z[i] = rest, value
+        z[is_other], z[i] = other_values, value
         return z
 
-    if not kept.any() or not np.isfinite(objective.squares(whole(at[kept]))):
-        return whole(at[kept])
-    columns = np.append(kept, True)
+    if not is_other.any() or not np.isfinite(objective.squares(whole(at[is_other]))):
+        return whole(at[is_other])
+    columns = np.append(is_other, True)
     solution = levenberg_marquardt(
-        lambda rest: objective.squares(whole(rest)),
-        lambda rest: np.asarray(
-            np.linalg.qr(objective.triangle(whole(rest))[:, columns], mode="r")
+        lambda other_values: objective.squares(whole(other_values)),
+        lambda other_values: np.asarray(
+            np.linalg.qr(objective.triangle(whole(other_values))[:, columns], mode="r")
         ),
-        at[kept],
-        (low[kept], high[kept]),
+        at[is_other],
+        (low[is_other], high[is_other]),
         CRITERIA.fit.precision,
         _EVALUATIONS,
     )
@@ -248,8 +248,8 @@ def _end(
 def _at_new_bound(objective: Objective, best: Array, z: Array, i: int) -> bool:
     """Whether another parameter is at a bound at ``z`` that was not at one at ``best``."""
     low, high = objective.bounds
-    near = CRITERIA.fit.at_bound * (high - low)
-    bound, before = ((p - low <= near) | (high - p <= near) for p in (z, best))
+    margins = CRITERIA.fit.at_bound * (high - low)
+    bound, before = ((p - low <= margins) | (high - p <= margins) for p in (z, best))
     return bool(np.any((bound & ~before)[np.arange(len(z)) != i]))
 
 

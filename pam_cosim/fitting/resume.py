@@ -75,11 +75,17 @@ def _by_content(value: Any) -> Any:
     return value.item() if isinstance(value, np.generic) else vars(value)
 
 
-def _content(made: Trajectory) -> bytes:
-    words = {"units": made.units, "warnings": made.warnings, "solver": made.solver}
-    head = {"names": list(made.values), **words}
+def _content(trajectory: Trajectory) -> bytes:
+    words = {
+        "units": trajectory.units,
+        "warnings": trajectory.warnings,
+        "solver": trajectory.solver,
+    }
+    head = {"names": list(trajectory.values), **words}
     return (
-        json.dumps(head).encode() + b"\n" + np.stack([made.time, *made.values.values()]).tobytes()
+        json.dumps(head).encode()
+        + b"\n"
+        + np.stack([trajectory.time, *trajectory.values.values()]).tobytes()
     )
 
 

@@ -13,24 +13,26 @@ Slopes = Mapping[str, Sequence[tuple[int, str]]]
 """By signal: number of a free parameter, and name of the output that is the signal's sensitivity to it."""
 
 
-def acts_on(free: Free, run: Run, every: Sequence[Free]) -> bool:
+def acts_on(free: Free, run: Run, free_parameters: Sequence[Free]) -> bool:
     """Whether a parameter acts on a run: one that is known for it, or is the run's own, does not.
 
     Args:
         free: the parameter.
         run: the run.
-        every: all free parameters.
+        free_parameters: all free parameters.
     """
     if free.run:
         return free.run == run.name
     if is_ratio(free.name):
         return free.parameter in run.parameters
-    has_run_value = any(f.run == run.name and f.parameter == free.parameter for f in every)
+    has_run_value = any(
+        f.run == run.name and f.parameter == free.parameter for f in free_parameters
+    )
     return free.parameter not in run.parameters and not has_run_value
 
 
 def sensitivities_of_run(
-    run: Run, signals: Sequence[str], free: Sequence[Free], known: Collection[str]
+    run: Run, signals: Sequence[str], free: Sequence[Free], available: Collection[str]
 ) -> Slopes:
     """The sensitivities of the signals of a run to the parameters that act on it, where the model has them.
 
@@ -38,7 +40,7 @@ def sensitivities_of_run(
         run: the run.
         signals: with samples in it.
         free: the free parameters.
-        known: names of the model's sensitivities.
+        available: names of the model's sensitivities.
     """
     acting = [
         (i, parameter.parameter)
@@ -49,19 +51,19 @@ def sensitivities_of_run(
         signal: [
             (i, name)
             for i, parameter in acting
-            if (name := sensitivity_name(signal, parameter)) in known
+            if (name := sensitivity_name(signal, parameter)) in available
         ]
         for signal in signals
     }
 
 
 def has_sensitivities(
-    signals: Sequence[Collection[str]], free: Sequence[Free], known: Collection[str]
+    signals: Sequence[Collection[str]], free: Sequence[Free], available: Collection[str]
 ) -> list[bool]:
     """For each free parameter, whether the model has its sensitivity for each signal of each run."""
     signal_names = {signal for of_run in signals for signal in of_run}
     return [
-        all(sensitivity_name(s, parameter.parameter) in known for s in signal_names)
+        all(sensitivity_name(s, parameter.parameter) in available for s in signal_names)
         for parameter in free
     ]
 

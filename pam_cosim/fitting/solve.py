@@ -114,10 +114,12 @@ def _winners(problem: FitProblem, starts: Iterator[Array]) -> Iterator[Array]:
     Once one leads to the noise, no further one is tried.
     """
     options = problem.options
-    few = replace(problem, options=replace(options, evaluations=CRITERIA.fit.screening_evaluations))
+    screening_problem = replace(
+        problem, options=replace(options, evaluations=CRITERIA.fit.screening_evaluations)
+    )
     ends: list[Minimum] = []
     for start in itertools.islice(starts, options.screened_starts):
-        ends.append(_minimise(few, start))
+        ends.append(_minimise(screening_problem, start))
         if problem.objective.is_at_noise(ends[-1].cost) or problem.objective.is_over():
             break
     yield from (d.z for d in sorted(ends, key=lambda d: d.cost))

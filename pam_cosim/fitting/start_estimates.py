@@ -58,10 +58,10 @@ def estimated_starts(
         return {}
     objective = Objective(simulator, data, chosen, (), values, tolerance)
     objective.starts.state_ranges = state_ranges or {}
-    nothing = np.zeros(0)
-    if second_look and not objective.is_at_noise(objective.squares(nothing)):
-        objective.found_other_starts(nothing)
-    objective.residuals(nothing)
+    no_parameters = np.zeros(0)
+    if second_look and not objective.is_at_noise(objective.squares(no_parameters)):
+        objective.found_other_starts(no_parameters)
+    objective.residuals(no_parameters)
     return start_estimates(objective)
 
 
@@ -69,10 +69,10 @@ def runs_without_start(
     data: DataSet, values: Mapping[str, float], interface: Interface
 ) -> list[Run]:
     """The runs of which the values do not say where they begin: a start value is named "state@run"."""
-    given = {
+    runs_with_start = {
         name.rpartition("@")[2] for name in values if name.rpartition("@")[0] in interface.states
     }
-    return [run for run in data.runs if run.name not in given]
+    return [run for run in data.runs if run.name not in runs_with_start]
 
 
 def simulated(
