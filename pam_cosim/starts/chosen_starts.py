@@ -98,8 +98,8 @@ def first_offsets(probe: StartProbe) -> list[FirstOffset]:
 
 def _first_time(run: Run, name: str) -> float:
     times, values = run.start.leading.get(name, (run.time[:0], run.time[:0]))
-    both = np.append(values, run.measurements[name])
-    return float(np.append(times, run.time)[np.isfinite(both)][0])
+    all_values = np.append(values, run.measurements[name])
+    return float(np.append(times, run.time)[np.isfinite(all_values)][0])
 
 
 def _offset(probe: StartProbe, name: str, model: float) -> FirstOffset:
@@ -220,9 +220,11 @@ class StartChoice:
         begins = f"{_first_samples_text(run, offsets)}, {'moving' if moving else 'at rest'}"
         if start.shown:
             return _begun(run, "estimated", f"{begins}: estimated")
-        where = ", ".join(f"{offset.name} = {offset.text(offset.model)}" for offset in differing)
+        differences = ", ".join(
+            f"{offset.name} = {offset.text(offset.model)}" for offset in differing
+        )
         hint = "no start value of a state can be set: free a parameter that moves it"
-        reason = f"{begins}: the model begins at {where}, and {hint}"
+        reason = f"{begins}: the model begins at {differences}, and {hint}"
         return _begun(run, "rest", reason)
 
     def _as_others(self, run: Run) -> Run:
@@ -238,8 +240,8 @@ class StartChoice:
         if offsets is None:
             return run
         try:
-            shown = measured_initial_state(probe).shown
-            if not shown or (unless_stated and _start_is_stated(probe, shown)):
+            observed_states = measured_initial_state(probe).shown
+            if not observed_states or (unless_stated and _start_is_stated(probe, observed_states)):
                 return run
             if _start_is_fitted(probe):
                 return run
@@ -269,7 +271,7 @@ def _first_samples_text(run: Run, offsets: Sequence[FirstOffset]) -> str:
     )
 
 
-def _start_is_stated(probe: StartProbe, shown: Collection[str]) -> bool:
+def _start_is_stated(probe: StartProbe, observed_states: Collection[str]) -> bool:
     """Whether parameters of the run are the start values of all these states, as ``tank.p_start``.
 
     Such a parameter has the unit of its state, which begins higher by as much as the parameter is raised.
@@ -278,7 +280,7 @@ def _start_is_stated(probe: StartProbe, shown: Collection[str]) -> bool:
         SimulationFailure: the model breaks down at the start.
     """
     interface = probe.simulator.interface
-    states, missing = probe.at({})[1], set(shown)
+    states, missing = probe.at({})[1], set(observed_states)
     for name in probe.run.parameters.keys() & interface.parameters.keys():
         parameter, value = interface.parameters[name], probe.parameters[name]
         step = STEP * max(abs(value), abs(parameter.nominal or 0.0), 1.0)
@@ -312,14 +314,16 @@ def _sets_start(probe: StartProbe, free: FreeParameter) -> bool:
     if declared is None:  # as the fit reports
         return False
     value = probe.parameters.get(name, declared.start or 0.0)
-    moved = probe.changed({name: value + step if value + step <= free.max else value - step})
+    changed_probe = probe.changed(
+        {name: value + step if value + step <= free.max else value - step}
+    )
     has_states = bool(probe.states)
-    if np.array_equal(probe.at({})[has_states], moved.at({})[has_states]):
+    if np.array_equal(probe.at({})[has_states], changed_probe.at({})[has_states]):
         return False
     if not has_states or name.endswith((".start", "_start")):
         return True
-    here = probe.nearby_state()
-    return np.array_equal(probe.at(here)[0], moved.at(here)[0])
+    nearby = probe.nearby_state()
+    return np.array_equal(probe.at(nearby)[0], changed_probe.at(nearby)[0])
 
 
 def _with_periods(probe: StartProbe) -> Run:

@@ -95,8 +95,8 @@ class EliminatedStarts:
 
     def of_run(self, i: int) -> dict[str, float]:
         """Where a run begins, by "state@run" [SI]; empty where its start is not estimated."""
-        named = self.by_run[i].named() if i in self.by_run else {}
-        return settings_of(self._runs[i], named)
+        start_values = self.by_run[i].named() if i in self.by_run else {}
+        return settings_of(self._runs[i], start_values)
 
     def place(self, values: Mapping[str, float]) -> dict[int, StartValues]:
         """The start values, about where the first samples put them with the first parameters [SI]."""
@@ -154,14 +154,14 @@ class EliminatedStarts:
         run, states = self._runs[i], self._simulator.interface.states
         run_parameters = self._data.parameters_of(run, values)
         bare = {n: v for n, v in run_parameters.items() if n not in states}
-        given = {n: run_parameters[n] for n in states if n in run_parameters}
+        stated_starts = {n: run_parameters[n] for n in states if n in run_parameters}
         probe = StartProbe(self._simulator, self._data, run, bare)
-        start = measured_initial_state(probe, given if about_given else {})
+        start = measured_initial_state(probe, stated_starts if about_given else {})
         times = np.unique(np.append(start_time(run), run.time))
         run_trajectory = start.trajectory(self._simulator, run, bare, times, states)
         initial = {n: float(run_trajectory[n][0]) for n in states}
-        begin = initial | given
-        if given and not about_given:
+        begin = initial | stated_starts
+        if stated_starts and not about_given:
             begin = min(
                 (begin, initial),
                 key=lambda states: self._squares_from(i, {**values, **settings_of(run, states)}),
@@ -271,23 +271,23 @@ class EliminatedStarts:
                 where it fails.
         """
         before = self._squares(residuals)
-        here = {i: values_of_run.values for i, values_of_run in self.by_run.items()}
+        values_before = {i: values_of_run.values for i, values_of_run in self.by_run.items()}
         for i, values_of_run in self.by_run.items():
             rows, values_of_run.begin = self._rows[i], values_of_run.values
             if before[i] <= CRITERIA.fit.at_noise * (rows.stop - rows.start):
                 continue
-            if (named := self._fresh(i, values)) is None:
+            if (start_values := self._fresh(i, values)) is None:
                 continue
             run = self._runs[i]
-            for count in horizons(run, measured_signals(run, self._data), len(named)):
-                begin = settings_of(run, named)
-                named = named | of_part(first_rows(run, count), {**values, **begin})
-            values_of_run.begin = values_of_run.clipped(named)
+            for count in horizons(run, measured_signals(run, self._data), len(start_values)):
+                begin = settings_of(run, start_values)
+                start_values = start_values | of_part(first_rows(run, count), {**values, **begin})
+            values_of_run.begin = values_of_run.clipped(start_values)
         self._forget(z)
         after = self._squares(anew())
         better = {i for i in after if after[i] < (1 - CRITERIA.starts.linear) * before[i]}
         for i, values_of_run in self.by_run.items():
-            values_of_run.begin = values_of_run.values if i in better else here[i]
+            values_of_run.begin = values_of_run.values if i in better else values_before[i]
         self._forget(z)
         return bool(better)
 
@@ -310,8 +310,8 @@ class EliminatedStarts:
 
 def _range(run_trajectory: Array) -> float:
     """How far a state moves; nothing where that is rounding."""
-    moved = float(np.ptp(run_trajectory))
-    return moved if moved > _STILL * float(np.max(np.abs(run_trajectory))) else 0.0
+    extent = float(np.ptp(run_trajectory))
+    return extent if extent > _STILL * float(np.max(np.abs(run_trajectory))) else 0.0
 
 
 def horizons(run: Run, signals: Sequence[str], unknowns: int) -> list[int]:
@@ -321,8 +321,8 @@ def horizons(run: Run, signals: Sequence[str], unknowns: int) -> list[int]:
     """
     samples = np.cumsum(sum(np.isfinite(run.measurements[name]).astype(int) for name in signals))
     rows = int(np.searchsorted(samples, 2 * unknowns)) + 1
-    several = []
+    row_counts = []
     while rows < len(run.time):
-        several.append(rows)
+        row_counts.append(rows)
         rows *= 2
-    return several
+    return row_counts

@@ -42,29 +42,29 @@ def initial_state(
     if run.is_static or (start.mode in (None, "rest") and not start.periodic):
         return InitialState()
     states = simulator.interface.states
-    if given := sum(name in parameters for name in states):
-        return InitialState(settle="none" if given == len(states) else "others")
+    if stated_count := sum(name in parameters for name in states):
+        return InitialState(settle="none" if stated_count == len(states) else "others")
     measured = measured_initial_state(StartProbe(simulator, data, run, parameters))
     return replace(measured, settle="all") if start.mode == "steady" else measured
 
 
 def measured_initial_state(
-    probe: StartProbe, given: Mapping[str, float] | None = None
+    probe: StartProbe, stated_starts: Mapping[str, float] | None = None
 ) -> InitialState:
     """The initial state at which the model gives the first samples.
 
     Args:
         probe: of the run.
-        given: values of some states [SI], which take the place of the first samples.
+        stated_starts: values of some states [SI], used instead of the first samples.
     """
-    given = given or {}
-    if not probe.states or not (probe.first or given):
+    stated_starts = stated_starts or {}
+    if not probe.states or not (probe.first or stated_starts):
         return InitialState()
-    if len(given) == len(probe.states):
-        return InitialState(dict(given))
-    shown, values = _shown_by_first_samples(probe) if probe.first else ({}, {})
-    values |= given
-    signals = {state: observed.signal for state, observed in shown.items()}
+    if len(stated_starts) == len(probe.states):
+        return InitialState(dict(stated_starts))
+    observed_states, values = _shown_by_first_samples(probe) if probe.first else ({}, {})
+    values |= stated_starts
+    signals = {state: observed.signal for state, observed in observed_states.items()}
     return InitialState(values, probe.settle_others(values), signals)
 
 
@@ -73,10 +73,12 @@ def _shown_by_first_samples(
 ) -> tuple[dict[str, ObservedState], dict[str, float]]:
     """What shows which states, and their start values."""
     dependences = _joined(probe.dependences({}), probe.dependences(probe.nearby_state()))
-    shown, values = _consistent_start(probe, dependences)
+    observed_states, values = _consistent_start(probe, dependences)
     # such as a reading at the end of its range, which shows nothing
-    unmatched = probe.unmatched_signals(shown, values)
-    return _consistent_start(probe, dependences, unmatched) if unmatched else (shown, values)
+    unmatched = probe.unmatched_signals(observed_states, values)
+    return (
+        _consistent_start(probe, dependences, unmatched) if unmatched else (observed_states, values)
+    )
 
 
 def _joined(earlier: Array, later: Array) -> Array:
@@ -88,12 +90,12 @@ def _consistent_start(
     probe: StartProbe, dependences: Array, ignored: Collection[str] = ()
 ) -> tuple[dict[str, ObservedState], dict[str, float]]:
     """What shows which states, and their start values, at which the model agrees with that."""
-    shown = _observed_states(probe, dependences, ignored)
-    values = probe.corrected(shown, dependences, {})
+    observed_states = _observed_states(probe, dependences, ignored)
+    values = probe.corrected(observed_states, dependences, {})
     # what acts on what may not show where the model begins by itself
     dependences = _joined(dependences, probe.dependences(values))
-    shown = _observed_states(probe, dependences, ignored)
-    return shown, probe.corrected(shown, dependences, values)
+    observed_states = _observed_states(probe, dependences, ignored)
+    return observed_states, probe.corrected(observed_states, dependences, values)
 
 
 def state_trajectory(
@@ -135,16 +137,16 @@ def _observed_states(
         dependences: of signals and rates on states, as ``StartProbe.dependences`` has them.
         ignored: signals that show nothing.
     """
-    shown = _observed_by_signals(probe, dependences, ignored)
-    _add_observed_by_rates(shown, dependences, len(probe.signals))
-    return {probe.states[i]: observed for i, observed in shown.items()}
+    observed_by_index = _observed_by_signals(probe, dependences, ignored)
+    _add_observed_by_rates(observed_by_index, dependences, len(probe.signals))
+    return {probe.states[i]: observed for i, observed in observed_by_index.items()}
 
 
 def _observed_by_signals(
     probe: StartProbe, matrix: Array, ignored: Collection[str]
 ) -> dict[int, ObservedState]:
     """By number of the state: what signals read, and the states of instruments, which are in equilibrium with that."""
-    rates, shown = matrix[len(probe.signals) :], dict[int, ObservedState]()
+    rates, observed_states = matrix[len(probe.signals) :], dict[int, ObservedState]()
     better: dict[int, float] = {}
     for row, (signal, sample) in enumerate(probe.first.items()):
         read = _source_of_reading({*_nonzero(matrix[row])}, rates)
@@ -160,10 +162,12 @@ def _observed_by_signals(
         if spread < better.get(source, np.inf):
             better[source] = spread
             rate = sample.slope / slope if sample.moves else 0.0
-            shown[source] = ObservedState(row, sample.value, sample.sd, signal, rate)
+            observed_states[source] = ObservedState(row, sample.value, sample.sd, signal, rate)
         for i in instrument:
-            shown.setdefault(i, ObservedState(len(probe.signals) + i, 0.0, 0.0, signal, 0.0))
-    return shown
+            observed_states.setdefault(
+                i, ObservedState(len(probe.signals) + i, 0.0, 0.0, signal, 0.0)
+            )
+    return observed_states
 
 
 def _source_of_reading(dependent: set[int], rates: Array) -> tuple[int, set[int]] | None:
@@ -200,27 +204,33 @@ def _slope_at_rest(row: Array, rates: Array, source: int, instrument: set[int]) 
     return float(row[source] - row[places] @ follow)
 
 
-def _add_observed_by_rates(shown: dict[int, ObservedState], matrix: Array, signals: int) -> None:
+def _add_observed_by_rates(
+    observed_states: dict[int, ObservedState], matrix: Array, signals: int
+) -> None:
     """Adds the states that the rates of those show which are known so far."""
     rates = matrix[signals:]
     instruments = _states_of_instruments(rates)
 
     def unknown(i: int) -> list[int]:
         """The states on which a rate depends, and that nothing shows so far."""
-        return [j for j in _nonzero(rates[i]) if j not in shown]
+        return [j for j in _nonzero(rates[i]) if j not in observed_states]
 
     def shows(i: int) -> bool:
         """Whether a rate shows another state: the only other one, or of an instrument the only unknown one."""
         alone = i in instruments or np.count_nonzero(np.delete(rates[i], i)) == 1
         return alone and len(unknown(i)) == 1
 
-    waiting = list(shown)
+    waiting = list(observed_states)
     while (by := next((i for i in waiting if shows(i)), None)) is not None:
         waiting.remove(by)
-        observed, (state,) = shown[by], unknown(by)
-        moved = sum(rates[by, i] * shown_state.rate for i, shown_state in shown.items())
-        rate = -float(moved) / float(rates[by, state])
-        shown[state] = ObservedState(signals + by, observed.rate, 0.0, observed.signal, rate)
+        observed, (state,) = observed_states[by], unknown(by)
+        predicted_rate = sum(
+            rates[by, i] * shown_state.rate for i, shown_state in observed_states.items()
+        )
+        rate = -float(predicted_rate) / float(rates[by, state])
+        observed_states[state] = ObservedState(
+            signals + by, observed.rate, 0.0, observed.signal, rate
+        )
         waiting.append(state)
 
 

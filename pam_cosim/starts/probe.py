@@ -103,12 +103,12 @@ class StartProbe:
 
         By central differences, which are exactly zero where there is no dependence.
         """
-        here = self.state(values)
+        state = self.state(values)
         columns = []
         for name in self.states:
-            step = STEP * self._size(name, here[name])
+            step = STEP * self._size(name, state[name])
             above, below = (
-                self.at({**here, name: here[name] + sign * step})[0] for sign in (1.0, -1.0)
+                self.at({**state, name: state[name] + sign * step})[0] for sign in (1.0, -1.0)
             )
             columns.append((above - below) / (2.0 * step))
         return np.column_stack(columns)
@@ -132,14 +132,17 @@ class StartProbe:
         return max(abs(variable.nominal or 0.0), abs(value)) or 1.0
 
     def corrected(
-        self, shown: Mapping[str, ObservedState], dependences: Array, values: Mapping[str, float]
+        self,
+        observed_states: Mapping[str, ObservedState],
+        dependences: Array,
+        values: Mapping[str, float],
     ) -> dict[str, float]:
         """Start values of the observed states at which the signals that determine them are as measured."""
         begin = self.state({})
-        starts = {name: values.get(name, begin[name]) for name in shown}
-        rows = [observed.row for observed in shown.values()]
-        aims = np.array([observed.aim for observed in shown.values()])
-        slopes = dependences[np.ix_(rows, [self.states.index(name) for name in shown])]
+        starts = {name: values.get(name, begin[name]) for name in observed_states}
+        rows = [observed.row for observed in observed_states.values()]
+        aims = np.array([observed.aim for observed in observed_states.values()])
+        slopes = dependences[np.ix_(rows, [self.states.index(name) for name in observed_states])]
         for _ in range(_CORRECTIONS if starts else 0):
             miss = aims - self.at(starts)[0][rows]
             step = np.linalg.lstsq(slopes, miss, rcond=None)[0]
@@ -150,13 +153,13 @@ class StartProbe:
         return starts
 
     def unmatched_signals(
-        self, shown: Mapping[str, ObservedState], values: Mapping[str, float]
+        self, observed_states: Mapping[str, ObservedState], values: Mapping[str, float]
     ) -> set[str]:
         """The signals that are not as they were measured, wherever the states that they show begin."""
         outputs, _ = self.at(values)
         return {
             observed.signal
-            for observed in shown.values()
+            for observed in observed_states.values()
             if observed.spread
             and abs(outputs[observed.row] - observed.aim) > CRITERIA.starts.away * observed.spread
         }

@@ -139,9 +139,9 @@ def first_of_run(run: Run, signal: str, sigma: float, skipped: int = 0) -> First
         early, recorded = run.start.leading[signal]
         later = time >= run.time[0] + run.start.lead
         time, values = np.append(early, time[later]), np.append(recorded, values[later])
-    there = np.isfinite(values)
-    there[np.flatnonzero(there)[:skipped]] = False
-    return first_samples(time, np.where(there, values, np.nan), sigma, float(run.time[0]))
+    is_sampled = np.isfinite(values)
+    is_sampled[np.flatnonzero(is_sampled)[:skipped]] = False
+    return first_samples(time, np.where(is_sampled, values, np.nan), sigma, float(run.time[0]))
 
 
 def first_samples(time: Array, values: Array, sigma: float, start: float) -> FirstSamples | None:
@@ -153,21 +153,23 @@ def first_samples(time: Array, values: Array, sigma: float, start: float) -> Fir
         sigma: standard deviation of the noise [unit].
         start: [s].
     """
-    there: NDArray[np.intp] = np.flatnonzero(np.isfinite(values))[: CRITERIA.starts.most_samples]
-    if not there.size:
+    sample_rows: NDArray[np.intp] = np.flatnonzero(np.isfinite(values))[
+        : CRITERIA.starts.most_samples
+    ]
+    if not sample_rows.size:
         return None
-    t, first_value = time[there] - start, float(values[there[0]])
+    t, first_value = time[sample_rows] - start, float(values[sample_rows[0]])
     if len(t) > 1 and t[0] > CRITERIA.starts.pause * float(np.median(np.diff(t))):
         return None  # a line through such samples says what the signal did then, not where it was
-    if len(there) < _LEAST or not sigma:
+    if len(sample_rows) < _LEAST or not sigma:
         return FirstSamples(first_value, sigma)
     # straight lines through the first one, two, ... n samples
-    n, y = np.arange(1.0, len(t) + 1.0), values[there] - first_value
+    n, y = np.arange(1.0, len(t) + 1.0), values[sample_rows] - first_value
     mean, level = np.cumsum(t) / n, np.cumsum(y) / n
     spread = np.cumsum(t**2) - n * mean**2
-    both = np.cumsum(t * y) - n * mean * level
-    slope = np.divide(both, spread, out=np.zeros(len(t)), where=spread > 0.0)
-    squares = np.maximum(np.cumsum(y**2) - n * level**2 - slope * both, 0.0) / sigma**2
+    products = np.cumsum(t * y) - n * mean * level
+    slope = np.divide(products, spread, out=np.zeros(len(t)), where=spread > 0.0)
+    squares = np.maximum(np.cumsum(y**2) - n * level**2 - slope * products, 0.0) / sigma**2
     freedom = n - 2.0
     bent = squares > freedom + CRITERIA.starts.bent * np.sqrt(2.0 * np.maximum(freedom, 0.0))
     bent[: _LEAST - 1] = False

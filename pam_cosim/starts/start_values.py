@@ -67,9 +67,9 @@ class StartValues:
         """The present values by name, each with that of the run."""
         return settings_of(self.run, dict(zip(self.names, self.values.tolist(), strict=True)))
 
-    def clipped(self, named: Mapping[str, float]) -> Array:
+    def clipped(self, values_by_name: Mapping[str, float]) -> Array:
         """(k,) values by name in their order, within the bounds of the model."""
-        return np.clip([named[name] for name in self.names], self.low, self.high)
+        return np.clip([values_by_name[name] for name in self.names], self.low, self.high)
 
     def prior_rows(self) -> Array:
         """(k,) how far the present values are from what is known beforehand, in standard deviations."""
@@ -92,8 +92,8 @@ class StartValues:
         """(n,) residuals of the run without what the start values take away, by the slopes that are known of them."""
         rows = np.append(residuals, self.prior_rows())
         step = self.step(self.slopes, rows)
-        moved = np.clip(self.values + step, self.low, self.high) - self.values
-        return np.asarray(residuals + self.slopes[: len(residuals)] @ moved)
+        change = np.clip(self.values + step, self.low, self.high) - self.values
+        return np.asarray(residuals + self.slopes[: len(residuals)] @ change)
 
     def following(self, columns: Array) -> Array:
         """(k, m) by how much the start values move along with what moves the residuals of the run by (n, m) columns."""
@@ -129,32 +129,32 @@ def eliminate(of: StartValues, simulate: LinearisedRun) -> tuple[Any, Array]:
     Raises:
         SimulationFailure: the run does not reach its end wherever it begins.
     """
-    here = _tried(of, simulate)
-    if here is None:
+    point = _tried(of, simulate)
+    if point is None:
         of.values = of.mean
-        here = _Point(of, *simulate())
+        point = _Point(of, *simulate())
     reach = 1.0  # standard deviations of what is known beforehand, that a step may go; farther once that served
     for _ in range(CRITERIA.starts.steps):
-        if here.is_settled:
+        if point.is_settled:
             break
-        before = here
-        step = of.within_reach(here.step, reach)
-        for _ in range(1 if here.is_level else CRITERIA.starts.steps):
-            of.values = np.clip(here.values + step, of.low, of.high)
-            there = _tried(of, simulate)
-            if there is not None and there.cost < here.cost:
+        before = point
+        step = of.within_reach(point.step, reach)
+        for _ in range(1 if point.is_level else CRITERIA.starts.steps):
+            of.values = np.clip(point.values + step, of.low, of.high)
+            next_point = _tried(of, simulate)
+            if next_point is not None and next_point.cost < point.cost:
                 break
             step, reach = step / 2.0, reach / 2.0
         else:
             break
-        here, reach = there, _FARTHER * reach
-        if before.is_little(before.cost - here.cost):
+        point, reach = next_point, _FARTHER * reach
+        if before.is_little(before.cost - point.cost):
             break
     of.values = (
-        np.clip(here.values + here.step, of.low, of.high) if here.is_settled else here.values
+        np.clip(point.values + point.step, of.low, of.high) if point.is_settled else point.values
     )
-    last, of.slopes = of.values - here.values, here.slopes
-    return here.result, here.residuals + here.slopes[: len(here.residuals)] @ last
+    last, of.slopes = of.values - point.values, point.slopes
+    return point.result, point.residuals + point.slopes[: len(point.residuals)] @ last
 
 
 def eliminate_to_first_order(of: StartValues, simulate: LinearisedRun) -> tuple[Any, Array]:
