@@ -140,8 +140,8 @@ def _exit(end: _End) -> tuple[_Point, bool]:
     """Where a connector stands in the diagram, and whether it is at the top or the bottom of its part."""
     placed, connector = end
     x, y = connector.position or (0.0, 0.0)
-    left, low = placed.corner
-    return (left + _HALF * (1 + x / 100), low + _HALF * (1 + y / 100)), abs(y) > abs(x)
+    edge, low = placed.corner
+    return (edge + _HALF * (1 + x / 100), low + _HALF * (1 + y / 100)), abs(y) > abs(x)
 
 
 def _lower(text: str) -> str:

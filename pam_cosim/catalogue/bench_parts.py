@@ -66,12 +66,12 @@ def rig_parts(tree: ClassTree) -> list[BenchPart]:
     """Every part of every library, by role; the order is that of the files, the library's own first."""
     parts: list[BenchPart] = []
     for part in _declared(tree):
-        same = [
+        siblings = [
             sibling
             for sibling in parts
             if (sibling.role, sibling.library) == (part.role, part.library)
         ]
-        is_usual = part.usual and not any(sibling.usual for sibling in same)
+        is_usual = part.usual and not any(sibling.usual for sibling in siblings)
         parts.append(part if part.usual == is_usual else replace(part, usual=False))
     return parts
 
@@ -101,14 +101,14 @@ def chosen(parts: Sequence[BenchPart], role: str, name: str | None) -> BenchPart
     if name is None:
         return _usual(choices, role)
     exact = [part for part in choices if part.qualified_name == name]
-    meant = exact or [part for part in choices if _bare(part.name) == _bare(name)]
-    if not meant:
+    matching_parts = exact or [part for part in choices if _bare(part.name) == _bare(name)]
+    if not matching_parts:
         hint = did_you_mean(name, [part.name for part in choices])
         raise InputError(f"there is no {role} '{name}'; {hint}")
-    if len(meant) > 1:
-        full = " or ".join(part.qualified_name for part in meant)
+    if len(matching_parts) > 1:
+        full = " or ".join(part.qualified_name for part in matching_parts)
         raise InputError(f"'{name}' is the name of several parts: say {full}")
-    return meant[0]
+    return matching_parts[0]
 
 
 def _usual(choices: Sequence[BenchPart], role: str) -> BenchPart:

@@ -148,8 +148,8 @@ class _Draft:
                 return f"{other} and {effect.name} are two laws of one place, {place}: leave out one of them"
             shared = self._parameters(law, way) & self._parameters(effect.qualified_name, way)
             if shared:
-                both = f"both have a parameter {min(shared)}"
-                return f"{other} and {effect.name} {both} in {place}: leave out one of them"
+                shared_text = f"both have a parameter {min(shared)}"
+                return f"{other} and {effect.name} {shared_text} in {place}: leave out one of them"
         return ""
 
     def _kept(self, slot: Slot, way: Channel | None) -> list[str]:
@@ -175,15 +175,15 @@ class _Draft:
         """The text of the classes in which laws stand in series, and where which class is redeclared."""
         lines: list[str] = []
         modifications = []
-        made: dict[tuple[str, ...], str] = {}
+        series_names: dict[tuple[str, ...], str] = {}
         for slot in self.laws:
             way = channel(self.tree, slot.constraint)
             laws = tuple(self._kept(slot, way))
-            if len(laws) > 1 and laws not in made:
+            if len(laws) > 1 and laws not in series_names:
                 assert way is not None, laws
-                made[laws] = self._free_name(f"{slot.name}InSeries")
-                lines += series_text(self.tree, made[laws], way, list(map(self._law, laws)))
-            name = made.get(laws, laws[-1])
+                series_names[laws] = self._free_name(f"{slot.name}InSeries")
+                lines += series_text(self.tree, series_names[laws], way, list(map(self._law, laws)))
+            name = series_names.get(laws, laws[-1])
             modifications.append((slot.path, f"redeclare model {slot.name} = {name}"))
         return lines, modifications
 
@@ -197,13 +197,15 @@ class _Draft:
 
     def _hosts(self, effect: EffectClass) -> list[tuple[Part, str]]:
         bases = self.tree.bases(effect.qualified_name)
-        needed = self._connectors(effect.qualified_name)
+        connectors = self._connectors(effect.qualified_name)
         hosts = []
         for part in self.structure.parts:
             if not part.path or names.parent(part.path) or is_effect(part.bases):
                 continue
             shared = [
-                b for b in bases if b in part.bases and needed and needed <= self._connectors(b)
+                b
+                for b in bases
+                if b in part.bases and connectors and connectors <= self._connectors(b)
             ]
             if shared:
                 hosts.append((part, shared[0]))
@@ -227,11 +229,11 @@ class _Draft:
     def _connectors(self, name: str) -> set[str]:
         return {c.name for c in self.tree.components(name) if is_connector(self.tree, c.type)}
 
-    def _free_name(self, wanted: str) -> str:
-        name, number = wanted, 1
+    def _free_name(self, stem: str) -> str:
+        name, number = stem, 1
         while name in self.names or self.tree.resolve(self.structure.model, name):
             number += 1
-            name = names.identifier(f"{names.unquoted(wanted)}{number}")
+            name = names.identifier(f"{names.unquoted(stem)}{number}")
         self.names.add(name)
         return name
 
@@ -300,19 +302,19 @@ def _composed(
     draft = _Draft(structure, tree)
     ratios = [name for name in effects if is_ratio(name)]
     draft.parameters |= {name: (name,) for name in ratios}
-    wanted = [name for name in effects if not is_ratio(name)]
-    classes = _effects_of(tree, structure, wanted)
+    effect_names = [name for name in effects if not is_ratio(name)]
+    classes = _effects_of(tree, structure, effect_names)
     for effect in classes:
         draft.place(effect)
     for parameter, value in values.items():
         draft.state(parameter, value)
     base = names.unquoted(names.last(structure.model))
-    made = "With" * bool(wanted) + "And".join(
-        names.unquoted(names.last(wanted_name)) for wanted_name in wanted
+    effects_text = "With" * bool(effect_names) + "And".join(
+        names.unquoted(names.last(n)) for n in effect_names
     )
-    chosen = names.identifier(name or base + (made or "Alone"))
+    chosen = names.identifier(name or base + (effects_text or "Alone"))
     text = _text(chosen, structure, draft, classes, ratios, annotation)
-    own = {
+    parameters_of_effect = {
         full: (effect, names.last(full))
         for effect in classes
         for full in draft.parameters[effect.name]
@@ -322,12 +324,22 @@ def _composed(
         text,
         draft.parameters,
         structure.model,
-        {full: e.typical[name] for full, (e, name) in own.items() if name in e.typical},
-        {full: e.limits[name] for full, (e, name) in own.items() if name in e.limits},
+        {
+            full: e.typical[name]
+            for full, (e, name) in parameters_of_effect.items()
+            if name in e.typical
+        },
+        {
+            full: e.limits[name]
+            for full, (e, name) in parameters_of_effect.items()
+            if name in e.limits
+        },
     )
 
 
-def _effects_of(tree: ClassTree, structure: Structure, wanted: Sequence[str]) -> list[EffectClass]:
+def _effects_of(
+    tree: ClassTree, structure: Structure, effect_names: Sequence[str]
+) -> list[EffectClass]:
     """The classes of effects by name.
 
     Raises:
@@ -340,12 +352,12 @@ def _effects_of(tree: ClassTree, structure: Structure, wanted: Sequence[str]) ->
     classes_by_name = {e.name: e for e in classes if e.library in library_origins} | {
         e.qualified_name: e for e in classes
     }
-    for name in wanted:
+    for name in effect_names:
         if name not in classes_by_name and name not in {e.name for e in classes}:
             raise InputError(f"there is no effect '{name}'; 'pam-cosim effects' lists them")
         if name not in classes_by_name:
             raise NoPlace(f"{name} is an effect of another library than {structure.model}")
-    return [classes_by_name[name] for name in wanted]
+    return [classes_by_name[name] for name in effect_names]
 
 
 def _nested(modifications: Sequence[tuple[str, str]]) -> list[str]:
@@ -354,8 +366,8 @@ def _nested(modifications: Sequence[tuple[str, str]]) -> list[str]:
     inner: dict[str, list[tuple[str, str]]] = {}
     for path, text in modifications:
         if path:
-            head, *rest = names.parts(path)
-            inner.setdefault(head, []).append((".".join(rest), text))
+            head, *inner_path = names.parts(path)
+            inner.setdefault(head, []).append((".".join(inner_path), text))
     return direct_texts + [f"{name}({', '.join(_nested(parts))})" for name, parts in inner.items()]
 
 

@@ -153,14 +153,14 @@ class _Composer:
                 for imposed in (*self.feed.signals, *self.hold.signals)
                 for s in self._meant(imposed, measurable)
             ]
-            wanted = dict.fromkeys(signal for signal in usual if signal not in self.inputs)
+            signals = dict.fromkeys(signal for signal in usual if signal not in self.inputs)
         else:
-            wanted = self._wanted(_asked(measure), measurable)
-        if not wanted:
+            signals = self._wanted(_asked(measure), measurable)
+        if not signals:
             raise InputError(
                 f"no signal is measured; name signals to measure: {', '.join(measurable)}"
             )
-        return [(signal, *measurable[signal]) for signal in wanted]
+        return [(signal, *measurable[signal]) for signal in signals]
 
     def _meant(self, signal: str, signals: Container[str]) -> list[str]:
         """A signal by its name, or that of each muscle; empty where there is none."""
@@ -176,34 +176,34 @@ class _Composer:
         Raises:
             InputError: there is no such signal, or it is imposed.
         """
-        wanted: dict[str, None] = {}
+        signals: dict[str, None] = {}
         for signal in requested:
-            meant = self._meant(signal, measurable)
-            if not meant:
+            matching_signals = self._meant(signal, measurable)
+            if not matching_signals:
                 raise InputError(
                     f"the rig has no signal '{signal}' to measure; {did_you_mean(signal, measurable)}"
                 )
-            wanted |= dict.fromkeys(meant)
-        imposed = next((signal for signal in wanted if signal in self.inputs), None)
+            signals |= dict.fromkeys(matching_signals)
+        imposed = next((signal for signal in signals if signal in self.inputs), None)
         if imposed is not None:
             part = self.inputs[imposed][0].name
             raise InputError(
                 f"'{imposed}' is imposed with {part}: it is an input of the rig and is not measured"
             )
-        return wanted
+        return signals
 
     # ---- places of the parts ---------------------------------------------------------------------------------------
 
     def _place(self, part: BenchPart, number: int, corner: tuple[int, int]) -> PlacedPart:
-        wanted = _numbered(part.component_name, number)
-        name, other = wanted, 1
+        stem = _numbered(part.component_name, number)
+        name, other = stem, 1
         while name in self.taken:
             other += 1
-            name = f"{wanted}_{other}"
+            name = f"{stem}_{other}"
         self.taken.add(name)
         return PlacedPart(part, name, number, corner)
 
-    def rig(self, wanted: str | None) -> ComposedBench:
+    def rig(self, class_name: str | None) -> ComposedBench:
         """All of it."""
         columns = {n: 320 * i for i, n in enumerate(self.numbers)}
         hold = self._place(self.hold, 0, (30 + 160 * (len(self.numbers) - 1), -160))
@@ -225,7 +225,7 @@ class _Composer:
         }
         for signal, number, part in self.measured:
             self._signal(signal, instrument_of[part, number])
-        name = names.identifier(wanted or self._title())
+        name = names.identifier(class_name or self._title())
         text = self._text(name, frame, everything)
         inputs = (BRANCH, *self.inputs) if self.static else tuple(self.inputs)
         outputs = tuple(signal for signal, _, _ in self.measured)
@@ -278,16 +278,18 @@ class _Composer:
     def _frame(self, parts: Sequence[BenchPart]) -> str:
         """The least of the frames that declares what the parts look for around them."""
         tree, base = self.tree, f"{self.feed.library}.{FRAME}"
-        needed = {outer for part in parts for outer in _outers(tree, part.qualified_name, set())}
+        outer_components = {
+            outer for part in parts for outer in _outers(tree, part.qualified_name, set())
+        }
         frames = sorted([base, *tree.subtypes(base)], key=lambda name: len(tree.bases(name)))
         for frame in frames:
             if self.static != any(
                 c.name == BRANCH and "input" in c.prefixes for c in tree.components(frame)
             ):
                 continue
-            if surrounds(tree, frame, needed):
+            if surrounds(tree, frame, outer_components):
                 return frame
-        missing = ", ".join(sorted(name for name, _ in needed))
+        missing = ", ".join(sorted(name for name, _ in outer_components))
         raise ModelError(
             f"no class that extends {base} declares the outer components of these parts: {missing}"
         )
@@ -376,15 +378,15 @@ def _asked(measure: str | Sequence[str]) -> list[str]:
     return [name for entry in listed for name in split(entry)]
 
 
-def _outers(tree: ClassTree, name: str, seen: set[str]) -> set[tuple[str, str]]:
+def _outers(tree: ClassTree, name: str, visited_classes: set[str]) -> set[tuple[str, str]]:
     """Name and class of everything that a class and its components look for around them (Modelica 3.6, section 5.4)."""
-    if name in seen or name not in tree.classes:
+    if name in visited_classes or name not in tree.classes:
         return set()
-    seen.add(name)
+    visited_classes.add(name)
     looked_for: set[tuple[str, str]] = set()
     for component in tree.components(name):
         if "outer" in component.prefixes:
             looked_for.add((component.name, component.type))
         else:
-            looked_for |= _outers(tree, component.type, seen)
+            looked_for |= _outers(tree, component.type, visited_classes)
     return looked_for

@@ -186,13 +186,13 @@ def _text_entry(parameter: ComponentInfo, entry: str, kind: str, file: Path | st
     return text
 
 
-def _check_simpler(tree: ClassTree, effect: EffectClass, known: Collection[str]) -> None:
+def _check_simpler(tree: ClassTree, effect: EffectClass, effect_names: Collection[str]) -> None:
     """Raises ModelError where a parameter names a simpler effect that the library has not."""
     for parameter in tree.components(effect.qualified_name):
         for bound, simpler_effect in zip(
             _AT_BOUNDS, effect.simpler.get(parameter.name, ()), strict=False
         ):
-            if simpler_effect and simpler_effect not in known:
+            if simpler_effect and simpler_effect not in effect_names:
                 says = f"{bound} of {parameter.name} names {simpler_effect}, which is no effect of {effect.library}"
                 raise ModelError(says, effect.file, parameter.line)
 

@@ -88,10 +88,12 @@ def is_signal(tree: ClassTree, name: str) -> bool:
     )
 
 
-def surrounds(tree: ClassTree, model: str, needed: Iterable[tuple[str, str]]) -> bool:
+def surrounds(tree: ClassTree, model: str, outer_components: Iterable[tuple[str, str]]) -> bool:
     """Whether a model declares ``inner`` what is looked for by name and type (Modelica 3.6, section 5.4)."""
     inner = {c.name: c.type for c in tree.components(model) if "inner" in c.prefixes}
-    return all(name in inner and tree.is_subtype(inner[name], type_) for name, type_ in needed)
+    return all(
+        name in inner and tree.is_subtype(inner[name], type_) for name, type_ in outer_components
+    )
 
 
 def unit_of(tree: ClassTree, component: ComponentInfo) -> str:

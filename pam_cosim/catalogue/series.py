@@ -50,11 +50,14 @@ def channel(tree: ClassTree, interface: str) -> Channel | None:
     inputs, outputs = ([c for c in public if p in c.prefixes] for p in ("input", "output"))
     if len(inputs) != 1 or len(outputs) != 1 or any(is_connector(tree, c.type) for c in public):
         return None
-    one, other = inputs[0], outputs[0]
-    if not _quantities(tree, one) & _quantities(tree, other) or one.dimensions != other.dimensions:
+    source, output = inputs[0], outputs[0]
+    if (
+        not _quantities(tree, source) & _quantities(tree, output)
+        or source.dimensions != output.dimensions
+    ):
         return None
     parameters = tuple(c.name for c in public if "parameter" in c.prefixes)
-    return Channel(interface, one.name, other.name, parameters)
+    return Channel(interface, source.name, output.name, parameters)
 
 
 def own_parameters(tree: ClassTree, law: str, of: Channel) -> list[ComponentInfo]:
@@ -97,9 +100,9 @@ def modified(tree: ClassTree, law: str, parameter: ComponentInfo) -> dict[str, s
     for heir in reversed([law, *tree.bases(law)]):
         for clause in tree.classes[heir].extends:
             for path, text in clause.modifications.items():
-                first, *rest = names.parts(path)
+                first, *inner_path = names.parts(path)
                 if first == parameter.name:
-                    modifications[".".join(rest) or "value"] = text
+                    modifications[".".join(inner_path) or "value"] = text
     return modifications
 
 
