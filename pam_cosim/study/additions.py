@@ -134,9 +134,9 @@ def _resolved(values: Mapping[str, Setting], interface: Interface) -> dict[str, 
     return resolve(values, interface)
 
 
-def _fitted_model(what: Sequence[str] | Diagnosis | Fit | Path) -> FittedModel:
-    if isinstance(what, Diagnosis | Fit):
-        return fitted_model(what)
-    if isinstance(what, Path):
-        return read_fitted_model(what)
-    return FittedModel("", tuple(what), {})
+def _fitted_model(source: Sequence[str] | Diagnosis | Fit | Path) -> FittedModel:
+    if isinstance(source, Diagnosis | Fit):
+        return fitted_model(source)
+    if isinstance(source, Path):
+        return read_fitted_model(source)
+    return FittedModel("", tuple(source), {})

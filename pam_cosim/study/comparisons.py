@@ -41,8 +41,10 @@ def compare(
     return compared(as_problem(data, model, files, values=parameters), timeout)
 
 
-def compared(problem: Problem, timeout: float | None = None, *, whole: bool = True) -> Comparison:
-    """The comparison of a problem; ``whole``: other conventions of its recordings are tried too."""
+def compared(
+    problem: Problem, timeout: float | None = None, *, with_conventions: bool = True
+) -> Comparison:
+    """The comparison of a problem; ``with_conventions``: also with other conventions of its recordings."""
     started = data_with_starts(problem, timeout)
     starts, brief = [START_VALUES] * started.estimates_starts, few_rows(started)
     with opened(problem.model, problem.files, starts, timeout, brief=brief) as simulator:
@@ -50,7 +52,7 @@ def compared(problem: Problem, timeout: float | None = None, *, whole: bool = Tr
         estimated = estimated_starts(simulator, started, open_runs, problem.settings)
         values = problem.settings | {name: e.value for name, e in estimated.items()}
         result = _compare(simulator, started, values)
-        if not whole:
+        if not with_conventions:
             return result
 
         simulate = partial(simulate_runs, simulator, values=values)

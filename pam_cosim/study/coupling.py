@@ -105,14 +105,18 @@ def couple(
     Raises:
         InputError: an unknown model or name, units that do not fit, an input with two sources.
     """
-    made = {
+    components_by_name = {
         name: component if isinstance(component, Controller) else _part(name, str(component), files)
         for name, component in components.items()
     }
-    joined = tuple(connect(text, made) for text in connections)
-    return System(made, joined, couple_values(parameters or {}, made), timeout, title).sampling(
-        samples or {}
-    )
+    joined = tuple(connect(text, components_by_name) for text in connections)
+    return System(
+        components_by_name,
+        joined,
+        couple_values(parameters or {}, components_by_name),
+        timeout,
+        title,
+    ).sampling(samples or {})
 
 
 def _part(name: str, model: str, files: models.Paths) -> CoupledFmu:
@@ -170,21 +174,21 @@ def _from_toml(
         raise InputError(
             f"a controller has the name of a component: {', '.join(controllers)}", file
         )
-    made: dict[str, Component] = {}
+    components: dict[str, Component] = {}
     for name, model in written.components.items():
         with written.at("components", name):
             check_name(name)
-            made[name] = _part(name, model, files)
-    made |= controllers
-    joined = _connections(written, made)
+            components[name] = _part(name, model, files)
+    components |= controllers
+    joined = _connections(written, components)
     for name, value in written.parameters.items():
         if name not in parameters:
             with written.at("parameters", name):
-                couple_values({name: value}, made)
+                couple_values({name: value}, components)
                 check_once(joined, {name: "a value"})
     try:
-        values = couple_values({**written.parameters, **parameters}, made)
-        system = System(made, joined, values, timeout, written.title, written.stop_time)
+        values = couple_values({**written.parameters, **parameters}, components)
+        system = System(components, joined, values, timeout, written.title, written.stop_time)
     except InputError as problem:
         raise problem if problem.file else InputError(problem.message, file) from problem
     for name, interval in written.samples.items():
@@ -193,16 +197,16 @@ def _from_toml(
     return system
 
 
-def _connections(written: Written, made: Mapping[str, Component]) -> tuple[Connection, ...]:
+def _connections(written: Written, components: Mapping[str, Component]) -> tuple[Connection, ...]:
     """The connections of a file; an input that has two is told where the second one stands."""
     joined: list[Connection] = []
-    taken: set[Port] = set()
+    connected_inputs: set[Port] = set()
     for text in written.connections:
         with written.at("connections", text):
-            joined.append(connect(text, made))
-            if joined[-1].target in taken:
+            joined.append(connect(text, components))
+            if joined[-1].target in connected_inputs:
                 check_once(tuple(joined), {})
-            taken.add(joined[-1].target)
+            connected_inputs.add(joined[-1].target)
     return tuple(joined)
 
 

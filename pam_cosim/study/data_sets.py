@@ -164,7 +164,7 @@ def new(
     wishes = DraftRequests(title, model, columns, stated, recording, muscle, roles, valve)
     paths = [Path(file) for file in recordings]
     described = described_with(files)
-    made = draft(
+    new_data_set = draft(
         Path(folder),
         paths,
         wishes,
@@ -174,13 +174,15 @@ def new(
         as_paths(files),
     )
     try:
-        written = _read(made.folder, described, files, Overrides())
+        written = _read(new_data_set.folder, described, files, Overrides())
         beyond = inputs_beyond(written, described(written.model))
         begun = data_with_starts(problem(written, files=files))
     except (InputError, SimulationFailure):
-        shutil.rmtree(made.folder)
+        shutil.rmtree(new_data_set.folder)
         raise
-    return replace(made, data=written, starts=begun.starts, to_check=(*beyond, *made.to_check))
+    return replace(
+        new_data_set, data=written, starts=begun.starts, to_check=(*beyond, *new_data_set.to_check)
+    )
 
 
 def _simulated(data: DataSet, files: Sequence[Path], interface: Interface) -> None:
@@ -190,4 +192,4 @@ def _simulated(data: DataSet, files: Sequence[Path], interface: Interface) -> No
         SimulationFailure: a run does not reach its end.
     """
     if not inputs_beyond(data, interface):
-        compared(problem(data, files=files), _LONGEST, whole=False)
+        compared(problem(data, files=files), _LONGEST, with_conventions=False)

@@ -92,7 +92,7 @@ def linearise(
                 "inputs over time are for a time of a run; inputs that are held belong to the parameters"
             )
         conditions = {} if isinstance(at, str) else conditions_of(at, exchange_model.interface)
-        rest = isinstance(at, str) or bool(free)
+        at_rest = isinstance(at, str) or bool(free)
         return work_on(
             exchange_model.path,
             exchange_model.trusted,
@@ -100,7 +100,7 @@ def linearise(
             linearise_at,
             settings,
             conditions,
-            rest,
+            at_rest,
             list(free),
             _listed(outputs),
         )
@@ -190,11 +190,12 @@ def _listed(names: Sequence[str] | None) -> list[str] | None:
 def _of_trajectory(
     trajectory: Trajectory, time: float, exchange_model: Exchange
 ) -> tuple[float, dict[str, float]]:
-    needed = state_names(exchange_model.path)
-    missing = [name for name in needed if name not in trajectory.values]
+    required_outputs = state_names(exchange_model.path)
+    missing = [name for name in required_outputs if name not in trajectory.values]
     if missing:
         raise InputError(
-            f"the trajectory lacks {', '.join(missing)}: it must be simulated with the outputs {', '.join(needed)}"
+            f"the trajectory lacks {', '.join(missing)}: "
+            f"simulate it with the outputs {', '.join(required_outputs)}"
         )
     if not trajectory.time[0] <= time <= trajectory.time[-1]:
         span = f"from {trajectory.time[0]:g} s to {trajectory.time[-1]:g} s"

@@ -59,11 +59,13 @@ class FittedModel:
     @property
     def left_out(self) -> list[str]:
         """The values that neither the model's text nor its corrections can hold."""
-        kept = {correction.target for correction in self.corrections} | {
+        held_names = {correction.target for correction in self.corrections} | {
             correction.name for correction in self.corrections
         }
         return [
-            name for name in self.values if _of_the_data(name) and parameter_of(name) not in kept
+            name
+            for name in self.values
+            if _of_the_data(name) and parameter_of(name) not in held_names
         ]
 
 
@@ -156,15 +158,15 @@ def values_of_file(
     """
     fitted = read_fitted_model(file)
     if fitted.effects and model is None:
-        made = f"pam-cosim add --from {quote(str(file))} -o Better.mo"
+        add_command = f"pam-cosim add --from {quote(str(file))} -o Better.mo"
         raise InputError(
             f"these values are of {fitted.model} with {', '.join(fitted.effects)}: name that model with --model; "
-            f"'{made}' writes it",
+            f"'{add_command}' writes it",
             file,
         )
     interface = describe(data.model_for(model), files)
-    same = {"", data.model, data.bench, data.unmapped, names.last(interface.model)}
-    if model is None and not same & {fitted.model, names.last(fitted.model)}:
+    matching_names = {"", data.model, data.bench, data.unmapped, names.last(interface.model)}
+    if model is None and not matching_names & {fitted.model, names.last(fitted.model)}:
         raise InputError(
             f"these values are of {fitted.model}, and the data set is of {interface.model}: "
             "name the model that they are for with --model",
@@ -228,29 +230,36 @@ def compose_fitted(
         InputError: an effect finds no place; a value is of none of the parameters; there is a class of that name.
     """
     values = fitted.stated(parameters)
-    kept = [c for c in fitted.corrections if c.run or c.stated is not None or c.name not in values]
-    made = compose(
+    corrections = [
+        c for c in fitted.corrections if c.run or c.stated is not None or c.name not in values
+    ]
+    composition = compose(
         tree,
         fitted.model,
         fitted.effects,
         name,
         files=files,
         values=values,
-        annotation=annotation_of(kept),
+        annotation=annotation_of(corrections),
     )
-    parameter_names = {*parameters, *(n for names in made.parameters.values() for n in names)}
+    parameter_names = {
+        *parameters,
+        *(n for names in composition.parameters.values() for n in names),
+    }
     stray = next((n for n in values if n not in parameter_names), None)
     if stray is not None:
-        raise InputError(f"{made.name} has no parameter '{stray}', of which there is a value")
-    if made.name in tree.classes or made.name in names.PREDEFINED:
-        raise InputError(f"there is a class {made.name} already: choose another name")
+        raise InputError(
+            f"{composition.name} has no parameter '{stray}', of which there is a value"
+        )
+    if composition.name in tree.classes or composition.name in names.PREDEFINED:
+        raise InputError(f"there is a class {composition.name} already: choose another name")
     if class_text:
-        made = replace(made, text=f"{class_text.rstrip()}\n\n{made.text}")
-    return replace(made, text=with_base(made, fitted.model))
+        composition = replace(composition, text=f"{class_text.rstrip()}\n\n{composition.text}")
+    return replace(composition, text=with_base(composition, fitted.model))
 
 
-def with_base(made: Composition, model: str) -> str:
+def with_base(composition: Composition, model: str) -> str:
     """The text of a model after that of the file whose model it extends; classes of packages are found by name."""
-    if not is_modelica(model) or names.parent(made.base):
-        return made.text
-    return f"{read_file(Path(model), MOST_TEXT).decode('utf-8-sig').rstrip()}\n\n{made.text}"
+    if not is_modelica(model) or names.parent(composition.base):
+        return composition.text
+    return f"{read_file(Path(model), MOST_TEXT).decode('utf-8-sig').rstrip()}\n\n{composition.text}"

@@ -66,9 +66,13 @@ def _unchecked(source: Source, interface: Interface, times: Callable[[], Array])
     time = _time(columns)
     if time is None:
         time = times()
-    named = {_named(head, interface): (head, values) for head, values in columns.items()}
+    columns_by_name = {_named(head, interface): (head, values) for head, values in columns.items()}
     return Inputs(
-        time, {name: _values(name, head, v, time, interface) for name, (head, v) in named.items()}
+        time,
+        {
+            name: _values(name, head, v, time, interface)
+            for name, (head, v) in columns_by_name.items()
+        },
     )
 
 
@@ -176,12 +180,12 @@ def _named(head: str, interface: Interface) -> str:
     return name
 
 
-def _values(name: str, head: str, given: Any, time: Array, interface: Interface) -> Array:
-    if isinstance(given, str):
-        return np.full(time.shape, _constant(head, given, interface.inputs[name]))
-    if callable(given):
-        given = [_at(name, given, float(t)) for t in time]
-    values = _converted(head, given, interface.inputs[name].unit)
+def _values(name: str, head: str, source: Any, time: Array, interface: Interface) -> Array:
+    if isinstance(source, str):
+        return np.full(time.shape, _constant(head, source, interface.inputs[name]))
+    if callable(source):
+        source = [_at(name, source, float(t)) for t in time]
+    values = _converted(head, source, interface.inputs[name].unit)
     return np.full(time.shape, values) if values.ndim == 0 else values
 
 
@@ -204,9 +208,9 @@ def _at(name: str, function: Callable[[float], Any], t: float) -> float:
 
 
 def _converted(head: str, values: Any, unit: str) -> Array:
-    given = _split(head)[1]
+    stated_unit = _split(head)[1]
     try:
         numbers = np.asarray(values, dtype=float)
-        return numbers if given is None else convert(numbers, given, unit)
+        return numbers if stated_unit is None else convert(numbers, stated_unit, unit)
     except (UnitError, ValueError, TypeError) as problem:
         raise InputError(f"'{head}': {problem}") from None

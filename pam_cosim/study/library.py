@@ -36,13 +36,13 @@ def effect_sheets(name: str | None = None, files: Paths = ()) -> list[EffectShee
     sources = as_paths(files)
     tree = read_library(files=sources)
     classes = effect_classes(tree)
-    meant = [e for e in classes if name in (None, e.name, e.qualified_name, e.family)]
-    if not meant:
+    matching_effects = [e for e in classes if name in (None, e.name, e.qualified_name, e.family)]
+    if not matching_effects:
         names = dict.fromkeys(word for e in classes for word in (e.name, e.family))
         hint = did_you_mean(str(name), list(names))
         raise InputError(f"there is no effect and no family '{name}'; {hint}")
     structures = {last(bench): read_structure(bench, files=sources) for bench in _benches(tree)}
-    return [effect_sheet(tree, effect, structures) for effect in meant]
+    return [effect_sheet(tree, effect, structures) for effect in matching_effects]
 
 
 def rig_parts(files: Paths = ()) -> list[BenchPart]:

@@ -112,12 +112,12 @@ def sweep(
         timeout=timeout,
     )
     result = None if output is None else Path(output)
-    made = make_sweep(
+    completed_sweep = make_sweep(
         plan, result, executor=executor, workers=checked_workers(workers, 1), progress=progress
     )
     if result is not None:
-        made.save(result)
-    return made
+        completed_sweep.save(result)
+    return completed_sweep
 
 
 def _patterns(

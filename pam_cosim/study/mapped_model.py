@@ -31,6 +31,6 @@ def mapped_model(
     sources = sources_of(files, model)
     tree = read_library(files=sources)
     base = read_structure(qualified(tree, model), files=sources).model
-    made = with_input_maps(tree, base, interface, maps)
-    text, file = with_base(made, model).encode(), f"{made.name}.mo"
+    composition = with_input_maps(tree, base, interface, maps)
+    text, file = with_base(composition, model).encode(), f"{composition.name}.mo"
     return str(cached_folder("maps", digest(text), lambda: {file: text}) / file)

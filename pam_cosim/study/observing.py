@@ -95,7 +95,7 @@ def observe(
         )
         belief = replace(belief, start=states)
     chosen = list(face.outputs if outputs is None else outputs)
-    made = work_on(
+    observation = work_on(
         exchange_model.path,
         exchange_model.trusted,
         timeout,
@@ -105,7 +105,7 @@ def observe(
         belief,
         chosen,
     )
-    return replace(made, begins=begins)
+    return replace(observation, begins=begins)
 
 
 def _recorded(

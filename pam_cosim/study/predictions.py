@@ -77,8 +77,8 @@ def predict(
     if isinstance(product, Problem):
         files = (*as_paths(files), *product.files)
         product = fit(product)
-    needed = "a fit, a problem or a diagnosis is needed"
-    check_kind(product, (Fit, Diagnosis), needed, "make one, or load it by pam.load(FILE.npz)")
+    requirement = "a fit, a problem or a diagnosis is needed"
+    check_kind(product, (Fit, Diagnosis), requirement, "make one, or load it by pam.load(FILE.npz)")
     samples, seed = checked_samples(samples), checked_seed(seed)
     fitted, data = (
         (product.final, product.data)
@@ -125,8 +125,10 @@ def _simulator(
 def _free(fit: Fit, data: DataSet, interface: Interface) -> list[Free]:
     """The parameters of a fit that it moved, with their bounds."""
     base = {f.name: f for f in base_parameters(data, interface)}
-    moved = [name for name, estimate in fit.parameters.items() if not estimate.held]
-    return [base[name] if name in base else model_parameter(name, interface) for name in moved]
+    fitted_names = [name for name, estimate in fit.parameters.items() if not estimate.held]
+    return [
+        base[name] if name in base else model_parameter(name, interface) for name in fitted_names
+    ]
 
 
 def _recorded(data: DataSet, name: str) -> Run:

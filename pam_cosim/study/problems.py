@@ -73,7 +73,14 @@ def problem(
     if fitted:
         model_values = replace(model_values, fitted=fitted, origin=origin)
     return _problem(
-        data, name, interface, paths, known=model_values, values=values, free=free, guesses=start
+        data,
+        name,
+        interface,
+        paths,
+        model_values=model_values,
+        values=values,
+        free=free,
+        guesses=start,
     )
 
 
@@ -99,11 +106,13 @@ def check_is_read(data: object) -> None:
     check_kind(data, DataSet, "a data set is needed", "read it by pam.read(FOLDER)")
 
 
-def check_kind(given: object, kinds: type | tuple[type, ...], needed: str, hint: str) -> None:
+def check_kind(
+    argument: object, kinds: type | tuple[type, ...], requirement: str, hint: str
+) -> None:
     """Raises InputError where a function is given something else than it takes, such as the name of a file."""
-    if not isinstance(given, kinds):
-        of = shown(given) if isinstance(given, str | Path) else f"a {type(given).__name__}"
-        raise InputError(f"{needed}, not {of}: {hint}")
+    if not isinstance(argument, kinds):
+        of = shown(argument) if isinstance(argument, str | Path) else f"a {type(argument).__name__}"
+        raise InputError(f"{requirement}, not {of}: {hint}")
 
 
 def few_rows(data: DataSet) -> bool:

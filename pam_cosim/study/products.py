@@ -72,10 +72,10 @@ def save(product: Product, path: Path | str) -> Path:
         content = {"kind": kind, "version": _VERSION, "content": _converter().unstructure(product)}
     text = np.frombuffer(json.dumps(content).encode(), dtype=np.uint8)
     file = io.BytesIO()
-    named: dict[str, Any] = {_TEXT: text} | {
+    arrays_by_name: dict[str, Any] = {_TEXT: text} | {
         f"array_{number}": array for number, array in arrays.values()
     }
-    np.savez_compressed(file, **named)
+    np.savez_compressed(file, **arrays_by_name)
     write_bytes(target, file.getvalue())
     return target
 

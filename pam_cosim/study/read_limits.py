@@ -62,13 +62,13 @@ def _message(variable: Variable, values: Array, place: Callable[[int], str]) -> 
     for words, limit, sign in limits:
         if limit is None:
             continue
-        there = np.flatnonzero(sign * (values - limit) > room)
-        if there.size:
+        exceeding = np.flatnonzero(sign * (values - limit) > room)
+        if exceeding.size:
             value, end = (
-                format_quantity(float(v), variable.unit) for v in (values[there[0]], limit)
+                format_quantity(float(v), variable.unit) for v in (values[exceeding[0]], limit)
             )
             return (
-                f"{variable.name} is {value} {place(int(there[0]))}, {words} value {end} that the model "
+                f"{variable.name} is {value} {place(int(exceeding[0]))}, {words} value {end} that the model "
                 "allows: is it the sign, the unit, or the zero?"
             )
     return ""

@@ -62,9 +62,12 @@ def simulate(
     with opened(model, files, timeout=timeout) as simulator:
         interface = simulator.interface
         input_series, times = _input_series(interface, inputs, stop_time, interval)
-        values, kept = resolve(parameters or {}, interface), kept_variables(interface, outputs)
+        values = resolve(parameters or {}, interface)
+        output_names = kept_variables(interface, outputs)
         try:
-            return simulator.run(times, parameters=values, inputs=input_series, outputs=kept)
+            return simulator.run(
+                times, parameters=values, inputs=input_series, outputs=output_names
+            )
         except RunFailure as failure:
             if failure.run is None:
                 raise
@@ -76,17 +79,18 @@ def _input_series(
 ) -> tuple[Inputs | None, np.ndarray]:
     """Inputs over time, and the times of the outputs."""
     stop, step = (
-        _seconds(given, what) for given, what in ((stop_time, "stop time"), (interval, "interval"))
+        _seconds(setting, setting_name)
+        for setting, setting_name in ((stop_time, "stop time"), (interval, "interval"))
     )
     inputs = inputs_of(source, interface, lambda: output_times(interface, None, stop, step))
     return inputs, output_times(interface, inputs, stop, step)
 
 
-def _seconds(given: Setting | None, what: str) -> float | None:
+def _seconds(setting: Setting | None, setting_name: str) -> float | None:
     try:
-        return None if given is None else seconds(given)
+        return None if setting is None else seconds(setting)
     except UnitError as problem:
-        raise InputError(f"the {what}: {problem}") from None
+        raise InputError(f"the {setting_name}: {problem}") from None
 
 
 def kept_variables(interface: Interface, outputs: Sequence[str]) -> list[str]:

@@ -41,8 +41,8 @@ def plain_value(value: Any, kind: type[Any]) -> Any:
         TypeError: it is of another kind.
         ValueError: a text that would steer a terminal.
     """
-    wanted = (float, int) if kind is float else (kind,)
-    if type(value) not in wanted:
+    allowed_types = (float, int) if kind is float else (kind,)
+    if type(value) not in allowed_types:
         raise TypeError(f"{type(value).__name__} where {kind.__name__} is needed")
     if isinstance(value, str) and not all(
         c in "\n\t" or category(c) not in _INVISIBLE for c in value
@@ -88,12 +88,12 @@ def _check_lengths(content: dict[str, Any], arrays: Mapping[str, Any]) -> None:
     shape = arrays[time["array"]].shape
     for place, key in timed:
         value = place.get(key)
-        several = (
+        series = (
             list(value.values())
             if isinstance(value, dict) and not _is_reference(value)
             else [value]
         )
-        for array in several:
+        for array in series:
             if (
                 isinstance(array, dict)
                 and _is_reference(array)

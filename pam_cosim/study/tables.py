@@ -101,10 +101,13 @@ def rig_lines(plan: RunPlan, columns: Mapping[str, RigColumn]) -> list[str]:
     lines = []
     for number, run in enumerate(plan.runs, 1):
         heads, cells = rig_table(run, plan.units, columns)
-        shown = [heads, *([f"{float(cell):.4g}" for cell in row] for row in cells[:_MOST_ROWS])]
-        widths = [max(len(row[i]) for row in shown) for i in range(len(heads))]
+        printed_rows = [
+            heads,
+            *([f"{float(cell):.4g}" for cell in row] for row in cells[:_MOST_ROWS]),
+        ]
+        widths = [max(len(row[i]) for row in printed_rows) for i in range(len(heads))]
         lines.append(f"run {number}, to drive (lines join the rows):")
-        lines += ["  " + "  ".join(map(str.rjust, row, widths)) for row in shown]
+        lines += ["  " + "  ".join(map(str.rjust, row, widths)) for row in printed_rows]
         if len(cells) > _MOST_ROWS:
             lines.append(f"  and {len(cells) - _MOST_ROWS} more rows, which -o FILE.csv writes")
     return lines
@@ -147,8 +150,8 @@ def _with_steps(rows: Sequence[tuple[float, ...]]) -> list[tuple[float, ...]]:
 
 def _file_unit(unit: str) -> str:
     """The readable unit where it can be typed, the SI unit otherwise."""
-    shown = readable_unit(unit)
-    return shown if shown.isascii() else unit
+    unit_text = readable_unit(unit)
+    return unit_text if unit_text.isascii() else unit
 
 
 def _cell(value: float, unit: str) -> str:
