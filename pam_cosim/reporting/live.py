@@ -74,13 +74,14 @@ class Tried:
 
     def telling(self) -> list[Candidate]:
         """The same, the answer first, without those that add an effect to a better or equal model to no avail."""
-        ranked, kept = [*reversed(self.path), *self.ranked()], dict[tuple[str, ...], Candidate]()
+        ranked = [*reversed(self.path), *self.ranked()]
+        candidates_by_effects: dict[tuple[str, ...], Candidate] = {}
         for c in ranked:
             most = c.delta_bic + CRITERIA.evidence.very_strong
             idle = any({*o.effects} < {*c.effects} and o.delta_bic < most for o in ranked)
             if c in self.path or not idle:
-                kept.setdefault(c.effects, c)
-        return list(kept.values())
+                candidates_by_effects.setdefault(c.effects, c)
+        return list(candidates_by_effects.values())
 
 
 class Live:

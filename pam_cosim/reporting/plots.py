@@ -118,9 +118,9 @@ def _(product: Fit) -> Figure:
 @figure_of.register
 def _(comparison: Comparison) -> Figure:
     layers, signals = (alone(comparison),), [*comparison.data.signals.values()]
-    few = max(len(r.run.time) for r in comparison.runs) <= SPARSE
+    is_sparse = max(len(r.run.time) for r in comparison.runs) <= SPARSE
     figure = panels(comparison.runs, signals, lambda a, r, s: draw_curves(a, r, s, layers))
-    legend_outside(figure, legend(layers, few))
+    legend_outside(figure, legend(layers, is_sparse))
     return figure
 
 

@@ -101,9 +101,9 @@ class Picture:
     caption: str = ""
 
 
-def balance_colours(order: Sequence[str], further: Sequence[str] = ()) -> dict[str, str]:
-    """A colour for each balance of a field, in its order, for ``further`` ones after them, and for the sensor."""
-    names = dict.fromkeys([*order, *sorted(further)])
+def balance_colours(order: Sequence[str], other_balances: Sequence[str] = ()) -> dict[str, str]:
+    """A colour for each balance of a field in its order, for ``other_balances`` after them, and for the sensor."""
+    names = dict.fromkeys([*order, *sorted(other_balances)])
     names.pop("sensor", None)
     return {name: BALANCES[i % len(BALANCES)] for i, name in enumerate(names)} | {"sensor": SENSOR}
 

@@ -87,8 +87,10 @@ def balance_shares(diagnosis: Diagnosis) -> dict[str, float]:
     single = [c for c in diagnosis.candidates if len(c.effects) == 1]
     shares: dict[str, float] = {}
     for balance, share in diagnosis.balance.items():
-        there = [c for c in single if c.balance == balance]
-        best = max(there, key=lambda c: explained(diagnosis.base, c.fit), default=None)
+        candidates_of_balance = [c for c in single if c.balance == balance]
+        best = max(
+            candidates_of_balance, key=lambda c: explained(diagnosis.base, c.fit), default=None
+        )
         shares[place_of(best) if best is not None else balance] = share
     return shares
 

@@ -32,12 +32,12 @@ def ledger_sentence(ledger: Ledger) -> str:
         )
     names = [_name(b, ledger) for b in ledger.failing]
     errors = f"mean square error {number(ledger.before)} → {number(ledger.after)} noise variances"
-    rest = (
+    remainder = (
         "With what is missing there the model meets the samples to the noise"
         if ledger.closed
         else "What is missing there does not bring the model to the noise: something is missing elsewhere too"
     )
-    return f"The base model fails in {enumeration(names)}. {rest} ({errors})."
+    return f"The base model fails in {enumeration(names)}. {remainder} ({errors})."
 
 
 def ledger_line(ledger: Ledger) -> str:
@@ -46,8 +46,8 @@ def ledger_line(ledger: Ledger) -> str:
         return "no balance is significantly violated"
     large = [entry for entry in ledger.entries if entry.share >= _SHOWN]
     shares = ", ".join(f"{_name(part.balance, ledger)} {percent(part.share)}" for part in large)
-    rest = "" if ledger.closed else "; something is missing elsewhere too"
-    return f"share of the error in {shares}{rest}"
+    remainder = "" if ledger.closed else "; something is missing elsewhere too"
+    return f"share of the error in {shares}{remainder}"
 
 
 def _name(balance: str, ledger: Ledger) -> str:
@@ -57,19 +57,19 @@ def _name(balance: str, ledger: Ledger) -> str:
 
 
 def _row(entry: BalanceEntry) -> dict[str, str]:
-    same = (
+    equivalents = (
         f"the balance of {enumeration([words(b) for b in entry.same_as])} may be meant as well"
         if entry.same_as
         else ""
     )
-    there = bool(entry.courses)
+    has_size = bool(entry.courses)
     return {
         "balance": words(entry.balance),
         "share": percent(entry.share),
         "explains": percent(entry.explains),
-        "size": quantity_text(entry.size, entry.unit) if there else NOTHING,
-        "outside": percent(entry.outside) if there else NOTHING,
-        "note": "; ".join(t for t in (entry.note, same) if t),
+        "size": quantity_text(entry.size, entry.unit) if has_size else NOTHING,
+        "outside": percent(entry.outside) if has_size else NOTHING,
+        "note": "; ".join(t for t in (entry.note, equivalents) if t),
     }
 
 

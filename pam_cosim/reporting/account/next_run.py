@@ -54,8 +54,8 @@ def expectation(plan: NextExperiment) -> str:
 def next_run_line(plan: NextExperiment) -> str:
     """The next experiment in one line of plain text."""
     between = enumeration([words(family) for family in plan.between])
-    where = f"with {_settings(plan)}; " if plan.parameters else ""
-    return f"run {plan.run}, {plan.change}; {where}to tell {between} apart: {expectation(plan)}"
+    settings = f"with {_settings(plan)}; " if plan.parameters else ""
+    return f"run {plan.run}, {plan.change}; {settings}to tell {between} apart: {expectation(plan)}"
 
 
 def _settings(plan: NextExperiment) -> str:

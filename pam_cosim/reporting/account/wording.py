@@ -112,8 +112,8 @@ def wrapped(text: str, longest: int = 28, lines: int = 2) -> str:
             broken.append("")
         broken[-1] += part if broken[-1] else part.lstrip()
     rows = [row.rstrip() for row in broken if row.strip()]
-    head, rest = rows[: lines - 1], "".join(broken[lines - 1 :]) if len(rows) >= lines else ""
-    return "\n".join(shortened(row, longest) for row in [*head, rest.strip()] if row)
+    head, last_row = rows[: lines - 1], "".join(broken[lines - 1 :]) if len(rows) >= lines else ""
+    return "\n".join(shortened(row, longest) for row in [*head, last_row.strip()] if row)
 
 
 def shortened(text: str, longest: int = 28) -> str:

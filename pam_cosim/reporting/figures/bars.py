@@ -50,12 +50,12 @@ class CandidateBar:
 
 def where_picture(rules: Sequence[Rule]) -> Picture:
     """Share of the error and share of the time, rule by rule."""
-    shown = list(rules[:_MOST_RULES])
-    labels = [textwrap.fill(f"{r.signal}: {r.rule}", 46) for r in shown]
+    drawn_rules = list(rules[:_MOST_RULES])
+    labels = [textwrap.fill(f"{r.signal}: {r.rule}", 46) for r in drawn_rules]
     with drawing():
-        figure = new_figure(0.8 * WIDTH, 0.75 + 0.47 * len(shown))
+        figure = new_figure(0.8 * WIDTH, 0.75 + 0.47 * len(drawn_rules))
         axes = figure.subplots()
-        for i, rule in enumerate(shown):
+        for i, rule in enumerate(drawn_rules):
             axes.barh(i - 0.19, rule.error_share, 0.36, color=BEFORE, zorder=3)
             axes.barh(i + 0.19, rule.time_share, 0.36, color=LINE, zorder=3)
             axes.text(
@@ -73,7 +73,7 @@ def where_picture(rules: Sequence[Rule]) -> Picture:
                 fontsize=7.5,
                 color=SOFT,
             )
-        axes.set_yticks(range(len(shown)), labels)
+        axes.set_yticks(range(len(drawn_rules)), labels)
         axes.tick_params(axis="y", length=0, labelcolor=INK)
         axes.invert_yaxis()
         axes.set_xlim(0, 1.1)
@@ -190,7 +190,7 @@ def probability_picture(rows: Sequence[ProbabilityRow]) -> Picture:
             position += share
         axes.set_xlim(0, 1)
         axes.axis("off")
-        labels = [f"{percent(share)}  {shortened(what, 90)}" for what, share, _ in rows]
+        labels = [f"{percent(share)}  {shortened(missing, 90)}" for missing, share, _ in rows]
         handles = [
             Patch(color=colour, label=label) for colour, label in zip(colours, labels, strict=True)
         ]

@@ -20,22 +20,22 @@ DASHES = (4.5, 2.0)
 
 
 def draw_curves(
-    axes: Axes, run: RunComparison, signal: Signal, layers: Sequence[Layer], every: int = 1
+    axes: Axes, run: RunComparison, signal: Signal, layers: Sequence[Layer], stride: int = 1
 ) -> None:
-    """Measured dots, one of ``every``, and a line for each model, in readable units."""
+    """Measured dots, one of each ``stride``, and a line for each model, in readable units."""
     factor = readable_factor(signal.unit)
-    kept = np.flatnonzero(np.isfinite(run.run.measurements[signal.name]))[::every]
-    few = len(kept) <= SPARSE
+    sample_rows = np.flatnonzero(np.isfinite(run.run.measurements[signal.name]))[::stride]
+    is_sparse = len(sample_rows) <= SPARSE
     axes.plot(
-        places(run)[kept],
-        run.run.measurements[signal.name][kept] * factor,
+        places(run)[sample_rows],
+        run.run.measurements[signal.name][sample_rows] * factor,
         ls="none",
         marker="o",
         mec="none",
         zorder=2,
-        ms=4.5 if few else 3.6,
-        mfc=INK if few else HALO,
-        rasterized=not few,
+        ms=4.5 if is_sparse else 3.6,
+        mfc=INK if is_sparse else HALO,
+        rasterized=not is_sparse,
     )
     for i, layer in enumerate(layers):
         simulated = layer.run(run.run.name)
@@ -44,17 +44,17 @@ def draw_curves(
                 places(simulated),
                 simulated.model[signal.name] * factor,
                 color=layer.colour,
-                lw=1.6 if few else 1.1,
+                lw=1.6 if is_sparse else 1.1,
                 zorder=3 + i,
             )
             if layer.dashed:
                 line.set_dashes(DASHES)
 
 
-def legend(layers: Sequence[Layer], few: bool, every: int = 1) -> list[Line2D]:
+def legend(layers: Sequence[Layer], is_sparse: bool, stride: int = 1) -> list[Line2D]:
     """Handles for measured dots and the models."""
-    dot = Line2D([], [], ls="none", marker="o", mec="none", ms=4.5, mfc=INK if few else HALO)
-    dot.set_label("measured" if every == 1 else f"measured, 1 of {every} samples")
+    dot = Line2D([], [], ls="none", marker="o", mec="none", ms=4.5, mfc=INK if is_sparse else HALO)
+    dot.set_label("measured" if stride == 1 else f"measured, 1 of {stride} samples")
     handles = [dot]
     for layer in layers:
         line = Line2D([], [], color=layer.colour, lw=1.6, label=layer.label)
@@ -68,12 +68,12 @@ def curve_pictures(layers: Sequence[Layer]) -> list[Picture]:
     """Measured and modelled signals of all runs, some runs a picture."""
     comparison = layers[-1].comparison
     signals = list(comparison.data.signals.values())
-    few = max((len(r.run.time) for r in comparison.runs), default=0) <= SPARSE
+    is_sparse = max((len(r.run.time) for r in comparison.runs), default=0) <= SPARSE
     pictures = []
     for runs in pages(comparison.runs):
         with drawing():
             figure = panels(runs, signals, lambda a, r, s: draw_curves(a, r, s, layers))
-            legend_outside(figure, legend(layers, few))
+            legend_outside(figure, legend(layers, is_sparse))
             drawn = enumeration(list(dict.fromkeys(drawn_over(r) for r in runs)))
             alt = f"Measured and modelled {enumeration([s.name for s in signals])} over {drawn}"
             holdout = bool(np.any([r.run.role == "holdout" for r in runs]))

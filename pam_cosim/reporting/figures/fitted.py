@@ -97,14 +97,14 @@ def _matrix(axes: Axes, fit: Fit) -> None:
     axes.set_title("correlation of the estimates", loc="left")
 
 
-def profile_figure(made: Profiles) -> Figure:
+def profile_figure(profiles: Profiles) -> Figure:
     """A panel for each parameter: the rise of chi-square, and the level where the 95 % interval ends."""
-    count = len(made.profiles)
+    count = len(profiles.profiles)
     columns = 1 if is_narrow() else min(_COLUMNS, max(count, 1))
     rows = max(1, ceil(count / columns))
     figure = new_figure(3.8 * columns, 2.7 * rows)
     panels = figure.subplots(rows, columns, squeeze=False).ravel()
-    for axes, profile in zip(panels, made.profiles.values(), strict=False):
+    for axes, profile in zip(panels, profiles.profiles.values(), strict=False):
         _profile(axes, profile)
     for axes in panels[count:]:
         axes.set_visible(False)

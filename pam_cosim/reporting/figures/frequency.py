@@ -39,17 +39,17 @@ def frequency_figure(response: FrequencyResponse) -> Figure:
             angles = angles + 360.0 * np.round(
                 (np.interp(response.frequencies[0], fine, line) - angles[0]) / 360.0
             )
-        for which, fill in ((settled, AFTER), (~settled, "none")):
+        for selection, fill in ((settled, AFTER), (~settled, "none")):
             label = "sines" if fill != "none" else "sines, not settled"
-            if np.any(which):
+            if np.any(selection):
                 style = {"ls": "none", "marker": "o", "ms": 5, "color": AFTER, "mfc": fill}
                 gain.loglog(
-                    response.frequencies[which],
-                    np.abs(response.gain[which, i]) * factor,
+                    response.frequencies[selection],
+                    np.abs(response.gain[selection, i]) * factor,
                     label=label,
                     **style,
                 )
-                turn.semilogx(response.frequencies[which], angles[which], **style)
+                turn.semilogx(response.frequencies[selection], angles[selection], **style)
         grid[2, i].semilogx(
             response.frequencies,
             100 * response.distortion[:, i],

@@ -84,9 +84,9 @@ def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, room: float) 
     axes.axhline(noise, color=INK, lw=1.1, dashes=(3, 2), zorder=5)
     axes.set_ylim(0, 1.16 * highest or 1)
     space = 1.2 if len(rungs) == 1 else 0.6
-    each = letters_in(0.8 * room / max(len(rungs), 2))
+    label_length = letters_in(0.8 * room / max(len(rungs), 2))
     axes.set_xlim(-space, len(rungs) - 1 + space)
-    labels = {i: wrapped(r.label, each, 4) for i, r in enumerate(rungs)}
+    labels = {i: wrapped(r.label, label_length, 4) for i, r in enumerate(rungs)}
     too_long = [i for i, label in labels.items() if "…" in label]
     labels |= {i: f"({i})" for i in too_long}
     axes.set_xticks(range(len(rungs)), list(labels.values()))
@@ -130,9 +130,9 @@ def ladder_picture(rungs: Sequence[Rung], signals: Sequence[Signal]) -> Picture:
     with drawing():
         figure = new_figure(WIDTH if columns > 1 else 0.7 * WIDTH, 0.5 + 2.5 * rows)
         grid = figure.subplots(rows, columns, squeeze=False).ravel()
-        named: list[Line2D] = []
+        handles: list[Line2D] = []
         for axes, signal in zip(grid, signals, strict=False):
-            named = draw_ladder(axes, rungs, signal, figure.get_size_inches()[0] / columns)
+            handles = draw_ladder(axes, rungs, signal, figure.get_size_inches()[0] / columns)
             axes.set_title(
                 signal.name if signal.fitted else f"{signal.name} (not fitted)",
                 loc="left",
@@ -140,7 +140,7 @@ def ladder_picture(rungs: Sequence[Rung], signals: Sequence[Signal]) -> Picture:
             )
         for axes in grid[len(signals) :]:
             axes.set_visible(False)
-        legend_outside(figure, [*ladder_legend(roles_of(rungs)), *named])
+        legend_outside(figure, [*ladder_legend(roles_of(rungs)), *handles])
         return picture(
             figure, "Root mean square error of each signal, model by model", _caption(rungs)
         )

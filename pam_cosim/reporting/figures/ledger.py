@@ -58,9 +58,9 @@ def draw_shares(axes: Axes, ledger: Ledger) -> None:
             position += entry.share
     if not position:
         message(axes, "no balance fails: the model meets the samples to the noise")
-    what = " and ".join(ledger.failing) or "nothing"
+    failing = " and ".join(ledger.failing) or "nothing"
     axes.set_title(
-        f"fails: {what}. Mean square error {ledger.before:.3g} → {ledger.after:.3g} noise variances",
+        f"fails: {failing}. Mean square error {ledger.before:.3g} → {ledger.after:.3g} noise variances",
         loc="left",
         fontweight="bold",
     )

@@ -22,7 +22,7 @@ Panel = Callable[[Axes, RunComparison, Signal], None]
 
 
 def panels(
-    runs: Sequence[RunComparison], signals: Sequence[Signal], draw: Panel, what: str = "{}"
+    runs: Sequence[RunComparison], signals: Sequence[Signal], draw: Panel, row_label: str = "{}"
 ) -> Figure:
     """A grid of axes, filled by ``draw`` where the run measured the signal; it says so where it did not.
 
@@ -30,7 +30,7 @@ def panels(
         runs: the columns.
         signals: the rows.
         draw: draws one panel.
-        what: the label of a row, ``{}`` stands for the signal.
+        row_label: the label of a row, in which ``{}`` stands for the signal.
     """
     narrow = is_narrow()
     columns = max(min(len(runs), COLUMNS // 2 if narrow else COLUMNS), 1)
@@ -40,7 +40,7 @@ def panels(
     figure = new_figure(WIDTH if columns > 1 else 0.75 * WIDTH, height)
     parts = figure.subfigures(len(blocks), 1, squeeze=False)[:, 0]
     for part, block in zip(parts, blocks, strict=True):
-        _block(part, block, signals, draw, what)
+        _block(part, block, signals, draw, row_label)
     return figure
 
 
@@ -49,7 +49,7 @@ def _block(
     runs: Sequence[RunComparison],
     signals: Sequence[Signal],
     draw: Panel,
-    what: str,
+    row_label: str,
 ) -> None:
     """The panels of runs side by side."""
     columns = len(runs)
@@ -65,7 +65,7 @@ def _block(
                 axes.tick_params(left=False, bottom=False)
                 for spine in axes.spines.values():
                     spine.set_color(LINE)
-        grid[i, 0].set_ylabel(wrapped(_label(what.format(signal.name), signal.unit), 22))
+        grid[i, 0].set_ylabel(wrapped(_label(row_label.format(signal.name), signal.unit), 22))
     for j, run in enumerate(runs):
         grid[0, j].set_title(
             _title(run, columns), fontweight="bold" if run.run.role == "holdout" else "normal"

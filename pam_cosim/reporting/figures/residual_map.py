@@ -57,10 +57,12 @@ def binned_residual(
         [r.residual(signal.name) / sd for r, sd in zip(runs, noise, strict=True)]
     )
     x, y = (np.concatenate([r.model[s.name] for r in runs]) for s in (across, up))
-    kept = np.isfinite(error)
-    edges = [np.histogram_bin_edges(v[kept], _CELLS) for v in (y, x)]
-    count, y_edges, x_edges = np.histogram2d(y[kept], x[kept], bins=edges)
-    total, _, _ = np.histogram2d(y[kept], x[kept], bins=edges, weights=error[kept])
+    is_measured = np.isfinite(error)
+    edges = [np.histogram_bin_edges(v[is_measured], _CELLS) for v in (y, x)]
+    count, y_edges, x_edges = np.histogram2d(y[is_measured], x[is_measured], bins=edges)
+    total, _, _ = np.histogram2d(
+        y[is_measured], x[is_measured], bins=edges, weights=error[is_measured]
+    )
     return (
         np.divide(total, count, out=np.full_like(total, np.nan), where=count > 0),
         x_edges,

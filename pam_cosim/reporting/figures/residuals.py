@@ -31,34 +31,36 @@ def draw_residuals(axes: Axes, run: RunComparison, signal: Signal, layers: Seque
         for edge in (-reach, reach):
             axes.axhline(edge, color=SOFT, lw=0.6, zorder=9)
     axes.axhline(0, color=SOFT, lw=0.8, zorder=2)
-    few = run.run.sample_count(signal.name) <= SPARSE
+    is_sparse = run.run.sample_count(signal.name) <= SPARSE
     for i, layer in enumerate(layers):
         simulated = layer.run(run.run.name)
         if simulated is None or signal.name not in simulated.model:
             continue
         residual = simulated.residual(signal.name) * factor
-        kept = np.isfinite(residual)
+        is_measured = np.isfinite(residual)
         axes.plot(
-            places(simulated)[kept],
-            residual[kept],
+            places(simulated)[is_measured],
+            residual[is_measured],
             color=layer.colour,
             zorder=3 + i,
             marker="o",
             mec="none",
-            ms=4 if few else 1.6,
-            ls="-" if few else "none",
+            ms=4 if is_sparse else 1.6,
+            ls="-" if is_sparse else "none",
             lw=0.8,
-            alpha=1.0 if few else 0.6,
-            rasterized=not few,
+            alpha=1.0 if is_sparse else 0.6,
+            rasterized=not is_sparse,
         )
 
 
 def _growing_band(axes: Axes, run: RunComparison, signal: Signal, factor: float) -> None:
     """The band of noise that grows with the reading, from sample to sample."""
-    kept = np.isfinite(run.run.measurements[signal.name])
-    at = places(run)[kept]
+    is_measured = np.isfinite(run.run.measurements[signal.name])
+    at = places(run)[is_measured]
     reach = (
-        _BAND_SIGMAS * factor * np.asarray(signal.sigma_at(run.run.measurements[signal.name][kept]))
+        _BAND_SIGMAS
+        * factor
+        * np.asarray(signal.sigma_at(run.run.measurements[signal.name][is_measured]))
     )
     axes.fill_between(at, -reach, reach, color=BAND, lw=0.0, zorder=1)
     for sign in (-1.0, 1.0):
@@ -82,8 +84,8 @@ def residual_pictures(layers: Sequence[Layer]) -> list[Picture]:
             )
             legend_outside(figure, handles)
             drawn = enumeration(list(dict.fromkeys(drawn_over(r) for r in runs)))
-            what = enumeration([s.name for s in signals])
-            alt = f"Measured minus modelled {what} over {drawn}, with the band of the noise"
+            signal_names = enumeration([s.name for s in signals])
+            alt = f"Measured minus modelled {signal_names} over {drawn}, with the band of the noise"
             caption = (
                 "Measured minus model. A complete model leaves points scattered within the grey band, 19 of 20; "
                 "a curve that can be followed by eye is physics that is not in the model."

@@ -40,7 +40,7 @@ def showcase(
     for axes, title, room in zip((above, below), titles, rooms, strict=True):
         text = wrapped(title, int(0.8 * letters_in(room)))
         axes.set_title(text, loc="left", fontweight="bold")
-    named = draw_ladder(below, rungs, signal, rooms[1])
-    handles = [*legend(layers, True, interval), *ladder_legend(roles_of(rungs)), *named]
+    ladder_handles = draw_ladder(below, rungs, signal, rooms[1])
+    handles = [*legend(layers, True, interval), *ladder_legend(roles_of(rungs)), *ladder_handles]
     legend_outside(figure, handles, "outside lower center")
     return figure

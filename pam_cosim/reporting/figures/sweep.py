@@ -133,7 +133,7 @@ def _trajectories(sweep: Sweep) -> Figure:
     good = [i for i in range(len(sweep)) if not sweep.table.failure(i)]
     figure = new_figure(8.0, 0.7 + 1.9 * max(1, len(sweep.outputs)))
     panels = figure.subplots(max(1, len(sweep.outputs)), 1, sharex=True, squeeze=False)[:, 0]
-    shown = (
+    drawn_runs = (
         [good[i] for i in np.unique(np.linspace(0, len(good) - 1, _RUNS).round().astype(int))]
         if good
         else []
@@ -142,12 +142,12 @@ def _trajectories(sweep: Sweep) -> Figure:
     colours = _colours(shown_values)
     for axes, name in zip(panels, sweep.outputs, strict=False):
         unit = sweep.units[name]
-        for run in shown:
+        for run in drawn_runs:
             values = sweep.table.values(run)[sweep.outputs.index(name)] * readable_factor(unit)
             axes.plot(
                 sweep.time, values, color=colours.to_rgba(np.asarray(shown_values[run])), lw=0.9
             )
-        if not shown:
+        if not drawn_runs:
             message(axes, "no run reached its end")
         axes.set_ylabel(_label(name, unit))
         axes.grid(True)
