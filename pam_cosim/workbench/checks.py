@@ -11,7 +11,7 @@ from pam_cosim.wording import did_you_mean, shown
 _MOST = 1000
 
 
-def names_of(value: Any, what: str) -> list[str]:
+def names_of(value: Any, command: str) -> list[str]:
     """A list of names.
 
     Raises:
@@ -22,22 +22,22 @@ def names_of(value: Any, what: str) -> list[str]:
         or len(value) > _MOST
         or not all(isinstance(v, str) for v in value)
     ):
-        raise InputError(f"{what} wants a list of names, not {shown(value)}")
+        raise InputError(f"{command} wants a list of names, not {shown(value)}")
     return list(dict.fromkeys(value))
 
 
-def text_of(value: Any, what: str) -> str:
+def text_of(value: Any, command: str) -> str:
     """A text.
 
     Raises:
         InputError: it is none.
     """
     if not isinstance(value, str) or not value.strip():
-        raise InputError(f"{what} wants a name, not {shown(value)}")
+        raise InputError(f"{command} wants a name, not {shown(value)}")
     return value.strip()
 
 
-def one_of(value: Any, names: Collection[str], what: str, purpose: str = "") -> str:
+def one_of(value: Any, names: Collection[str], kind: str, purpose: str = "") -> str:
     """One of some names.
 
     Raises:
@@ -45,7 +45,7 @@ def one_of(value: Any, names: Collection[str], what: str, purpose: str = "") -> 
     """
     if not isinstance(value, str) or value not in names:
         raise InputError(
-            f"there is no {what} {shown(value)}{purpose}; {did_you_mean(str(value), names)}"
+            f"there is no {kind} {shown(value)}{purpose}; {did_you_mean(str(value), names)}"
         )
     return value
 

@@ -24,8 +24,10 @@ def measured_curves(data: DataSet) -> list[PlottedCurve]:
         begin = 0.0 if run.is_static else float(run.time[0])
         time = shown_times(_rising(run, run.time * factor - begin))
         for name, values in run.measurements.items():
-            shown = thinned(_rising(run, values * _factor(data, name)))
-            curves.append(PlottedCurve(run.name, name, {"time": time, "values": shown}, begin))
+            thinned_values = thinned(_rising(run, values * _factor(data, name)))
+            curves.append(
+                PlottedCurve(run.name, name, {"time": time, "values": thinned_values}, begin)
+            )
     return curves
 
 

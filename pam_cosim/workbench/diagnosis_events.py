@@ -154,13 +154,13 @@ def _against(entry: BalanceEntry, name: str) -> Json:
     across, factor = readable_factor(unit), readable_factor(entry.unit)
     x = np.concatenate([c.against[name] for c in entry.courses]) * across
     y = np.concatenate([c.value for c in entry.courses]) * factor
-    kept = slice(None, None, math.ceil(len(x) / MOST_POINTS))
+    drawn_rows = slice(None, None, math.ceil(len(x) / MOST_POINTS))
     bands = binned(entry, name)
     mean, reach = (np.array([getattr(b, of) for b in bands]) for of in ("mean", "deviation"))
     return {
         "name": name,
         "unit": unit_text(unit),
-        "points": [x[kept], y[kept]],
+        "points": [x[drawn_rows], y[drawn_rows]],
         "at": [(b.low + b.high) / 2 * across for b in bands],
         "mean": mean * factor,
         "low": (mean - 2 * reach) * factor,

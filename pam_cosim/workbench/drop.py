@@ -69,29 +69,33 @@ class Drop:
         """
         if len(content) > MOST_BYTES:
             raise InputError(f"{shown(name)} is larger than {MOST_BYTES // 1_000_000} MB")
-        made = self._names.get(name) or free_name(safe_name(name), self._names.values())
-        target = inside(self.place, made)
+        file_name = self._names.get(name) or free_name(safe_name(name), self._names.values())
+        target = inside(self.place, file_name)
         if target not in self.recordings and len(self.recordings) >= MOST_FILES:
             raise InputError(f"more than {MOST_FILES} files at once cannot be taken")
         other_bytes = sum(file.stat().st_size for file in self.recordings if file != target)
         if other_bytes + len(content) > MOST_TOGETHER:
             raise InputError(f"more than {MOST_TOGETHER // 1_000_000} MB together cannot be taken")
         write_bytes(target, content)
-        self._names[name] = made
+        self._names[name] = file_name
         if target not in self.recordings:
             self.recordings = sorted([*self.recordings, target])
         return self.dropped()
 
     def remove(self, names: Sequence[str]) -> Json:
         """Takes files away again."""
-        gone = {inside(self.place, name) for name in names_of(names, "remove")}
-        for file in gone & set(self.recordings):
+        removed_files = {inside(self.place, name) for name in names_of(names, "remove")}
+        for file in removed_files & set(self.recordings):
             file.unlink(missing_ok=True)
-        self.recordings = [file for file in self.recordings if file not in gone]
+        self.recordings = [file for file in self.recordings if file not in removed_files]
         if not self.recordings:
             self._last = None
-        here = {file.name for file in self.recordings}
-        self._names = {name: made for name, made in self._names.items() if made in here}
+        remaining_names = {file.name for file in self.recordings}
+        self._names = {
+            name: file_name
+            for name, file_name in self._names.items()
+            if file_name in remaining_names
+        }
         return self.dropped()
 
     def dropped(self) -> Json:
@@ -102,10 +106,10 @@ class Drop:
         """What becomes of the files as they are, with what the person says; nothing is left of it."""
         with tempfile.TemporaryDirectory(prefix="pam-cosim-draft-") as scratch:
             try:
-                made = self._new(Path(scratch) / self.folder.resolve().name, wishes)
+                new_data_set = self._new(Path(scratch) / self.folder.resolve().name, wishes)
             except InputError as problem:
                 return self.failed(wishes, problem)
-            self._last = self._drafted(made)
+            self._last = self._drafted(new_data_set)
             return self._last
 
     def failed(self, wishes: Mapping[str, Any], problem: Exception) -> Json:
@@ -120,8 +124,10 @@ class Drop:
             **dict.fromkeys(("runs", "names", "parameters"), ()),
             **dict.fromkeys(("columns", "stated"), {}),
         )
-        gone = dict.fromkeys(("guesses", "starts", "to_check", "curves"), ()) | {"toml": ""}
-        fields = last | gone | {"failed": failure(problem), "excerpt": self._excerpt(problem)}
+        empty_fields = dict.fromkeys(("guesses", "starts", "to_check", "curves"), ()) | {"toml": ""}
+        fields = (
+            last | empty_fields | {"failed": failure(problem), "excerpt": self._excerpt(problem)}
+        )
         bench = str(wishes.get("model"))
         if bench in last["benches"] and bench != short_name(last["model"]):
             fields |= {"model": bench, **_quantities(study.describe(bench))}
@@ -155,28 +161,28 @@ class Drop:
         shown_lines = [text[:_LONGEST] for text in lines[first - 1 : line + _AROUND]]
         return {"first": first, "line": line, "header": lines[:1], "lines": shown_lines}
 
-    def _drafted(self, made: NewDataSet) -> Json:
-        toml = (made.folder / "experiment.toml").read_text(encoding="utf-8")
+    def _drafted(self, new_data_set: NewDataSet) -> Json:
+        toml = (new_data_set.folder / "experiment.toml").read_text(encoding="utf-8")
         written = tomllib.loads(toml)
         run_parameters = [run.get("parameters", {}) for run in written["runs"]]
         return event(
             "draft",
             failed=None,
             excerpt=None,
-            title=made.data.title,
-            **selected(made, "model starts to_check"),
-            guesses=[selected(guess, "what taken_as why") for guess in made.guesses],
+            title=new_data_set.data.title,
+            **selected(new_data_set, "model starts to_check"),
+            guesses=[selected(guess, "what taken_as why") for guess in new_data_set.guesses],
             runs=[
                 selected(run, "name role describe", own=stated)
-                for run, stated in zip(made.data.runs, run_parameters, strict=True)
+                for run, stated in zip(new_data_set.data.runs, run_parameters, strict=True)
             ],
-            **_quantities(study.describe(made.data.model, self.files)),
+            **_quantities(study.describe(new_data_set.data.model, self.files)),
             benches=study.benches(),
             parts=self._parts(),
             columns=written.get("columns", {}),
             stated=written.get("parameters", {}),
             toml=toml,
-            curves=_curves(made),
+            curves=_curves(new_data_set),
         )
 
 
@@ -221,14 +227,16 @@ def _quantity(variable: Variable, **fields: object) -> Json:
     return selected(variable, "name description", unit=unit_text(variable.unit), **fields)
 
 
-def _curves(made: NewDataSet) -> list[Json]:
+def _curves(new_data_set: NewDataSet) -> list[Json]:
     """Signals of the runs, as they are read, few points each."""
-    signals, curves = made.data.signals, list[Json]()
-    for run in made.data.runs:
-        kept = np.unique(np.linspace(0, len(run.time) - 1, min(len(run.time), _POINTS)).astype(int))
+    signals, curves = new_data_set.data.signals, list[Json]()
+    for run in new_data_set.data.runs:
+        drawn_rows = np.unique(
+            np.linspace(0, len(run.time) - 1, min(len(run.time), _POINTS)).astype(int)
+        )
         for name, values in run.measurements.items():
-            shown_values = values[kept] * readable_factor(signals[name].unit)
-            curve = {"signal": name, "time": run.time[kept], "values": shown_values}
+            shown_values = values[drawn_rows] * readable_factor(signals[name].unit)
+            curve = {"signal": name, "time": run.time[drawn_rows], "values": shown_values}
             curves.append(curve | {"unit": unit_text(signals[name].unit)})
     return curves
 

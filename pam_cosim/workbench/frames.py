@@ -35,17 +35,17 @@ def frame(kind: str, version: int, curves: Sequence[PlottedCurve], label: str = 
     at = 0
     for c in curves:
         entry: Json = {"name": c.signal}
-        for what, values in c.arrays.items():
+        for array_name, values in c.arrays.items():
             if id(values) not in places:
                 places[id(values)] = at
                 parts.append(values)
                 at += len(values)
-            entry |= {"n": len(values), f"{what}_at": places[id(values)]}
+            entry |= {"n": len(values), f"{array_name}_at": places[id(values)]}
         runs.setdefault(c.run, []).append(entry)
-    named = [
+    run_entries = [
         {"name": run, "from": begins[run], "signals": signals} for run, signals in runs.items()
     ]
-    content = event("curves", kind=kind, version=version, label=label, runs=named)
+    content = event("curves", kind=kind, version=version, label=label, runs=run_entries)
     header = text_of_message(content).encode()
     header += b" " * (-len(header) % 4)
     body = np.concatenate(parts).astype("<f4") if parts else np.zeros(0, "<f4")

@@ -50,20 +50,20 @@ class Worker:
             return self._process
 
     def run(
-        self, job: str, data: Any, model: str, options: dict[str, Any], heard: Heard, done: Done
+        self, job: str, data: Any, model: str, options: dict[str, Any], heard: Heard, on_end: Done
     ) -> None:
         """Begins a job; what it tells and how it ends is told to the two functions, from another thread.
 
-        ``done`` is called with whether it went well, and the result or the exception; not at all after ``end``.
+        ``on_end`` is called with whether it went well, and the result or the exception; not at all after ``end``.
         """
         process = self.wake()
         content = pickle.dumps((job, data, model, options))
         threading.Thread(
-            target=self._follow, args=(process, content, heard, done), daemon=True
+            target=self._follow, args=(process, content, heard, on_end), daemon=True
         ).start()
 
     def _follow(
-        self, process: subprocess.Popen[bytes], content: bytes, heard: Heard, done: Done
+        self, process: subprocess.Popen[bytes], content: bytes, heard: Heard, on_end: Done
     ) -> None:
         assert process.stdin is not None and process.stdout is not None
         try:
@@ -81,10 +81,10 @@ class Worker:
             ):  # it is ending, and the next job needs to know
                 process.wait(_PATIENCE)
             if self._process is process:
-                done(False, JobEnded("the process that did it ended without a word"))
+                on_end(False, JobEnded("the process that did it ended without a word"))
             return
         if self._process is process:
-            done(*message)
+            on_end(*message)
 
     def hold(self) -> bool:
         """Lets the process and all that it started stand still where they are; False where that cannot be done."""

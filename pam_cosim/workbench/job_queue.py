@@ -94,7 +94,7 @@ class StudyWithJobs(OpenStudy):
             opened.name,
             {"files": opened.files},
             heard=lambda message: None,
-            done=lambda well, result: None,
+            on_end=lambda well, result: None,
         )
 
     def check_free(self) -> None:
@@ -115,20 +115,20 @@ class StudyWithJobs(OpenStudy):
             self.discard()
 
     def begin_job(
-        self, what: str, text: str, options: Mapping[str, Any], finish: Callable[[Any], object]
+        self, kind: str, text: str, options: Mapping[str, Any], finish: Callable[[Any], object]
     ) -> None:
         """Begins a job of the standing model."""
         self.make_room()
         self.windows.forget(lines=True)
         data, opened = self.state.data, self.opened
-        self.job = job = Job(what, text, finish, dict(self.state.values))
+        self.job = job = Job(kind, text, finish, dict(self.state.values))
         self._tell_busy(job)
-        further = {} if what == "fit" else {"workers": self.workers}
+        worker_option = {} if kind == "fit" else {"workers": self.workers}
         self.worker.run(
-            what,
+            kind,
             data,
             opened.name,
-            {"files": opened.files, **further, **options},
+            {"files": opened.files, **worker_option, **options},
             lambda message: self.submit(self._heard, job, message),
             lambda well, result: self.submit(self._done, job, well, result),
         )
@@ -230,8 +230,8 @@ class StudyWithJobs(OpenStudy):
     def _show_progress(self, job: Job, progress: FitProgress) -> None:
         parameters = self.opened.parameters
         values = {n: v for n, v in progress.values.items() if n in parameters}
-        shown = {n: v * readable_factor(parameters[n].unit) for n, v in values.items()}
-        self.windows.tell(event("progress", values=shown, text=str(progress)))
+        readable_values = {n: v * readable_factor(parameters[n].unit) for n, v in values.items()}
+        self.windows.tell(event("progress", values=readable_values, text=str(progress)))
         if values and time.monotonic() - job.drawn >= _PACE:
             self.draw_passing({**job.values, **values})
             job.drawn = time.monotonic()

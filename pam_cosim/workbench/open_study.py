@@ -148,8 +148,8 @@ class OpenStudy:
 
     def remember(self, state: State) -> None:
         """Keeps a state to go back to, without the curves of its fit, which are many."""
-        kept = state if state.fit is None else replace(state, fit=lean_fit(state.fit))
-        self.past = [*self.past[-MOST_BACK:], kept]
+        lean_state = state if state.fit is None else replace(state, fit=lean_fit(state.fit))
+        self.past = [*self.past[-MOST_BACK:], lean_state]
 
     def back(self, state: State, *, moved: bool = False) -> None:
         """Makes a state the present one: all that depends on it is made anew, or nothing.
@@ -164,8 +164,8 @@ class OpenStudy:
         """
         old = self._open
         about = (state.data, state.model, state.effects)
-        same = old is not None and old.made_for == made_for(*about)
-        opened = old if old and same else open_model(*about, self.catalogue, self.scratch)
+        same_model = old is not None and old.made_for == made_for(*about)
+        opened = old if old and same_model else open_model(*about, self.catalogue, self.scratch)
         other_data = old is None or state.data is not self.state.data
         try:
             simulated = opened.simulators.run(state.data, state.values)
@@ -178,12 +178,12 @@ class OpenStudy:
             self._draw(state, simulated.runs)
             comparison = scored_runs(state, opened, simulated.runs)
         except BaseException:
-            if not same:
+            if not same_model:
                 opened.close()
             raise
-        if old is not None and not same:
+        if old is not None and not same_model:
             old.close()
-        if not same or other_data:
+        if not same_model or other_data:
             self._starts.forget()
         self.state, self._open, self._comparison = state, opened, comparison
         self.simulated = simulated

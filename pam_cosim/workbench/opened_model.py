@@ -71,14 +71,14 @@ def open_model(
         InputError: as ``Catalogue.composed``, or a model that lacks what the data set fits.
     """
     parameters_by_effect: dict[str, tuple[str, ...]] = {}
-    text, name, needed = "", model, catalogue.files
+    text, name, source_files = "", model, catalogue.files
     if effects:
         composition = catalogue.composed(model, effects)
         text, parameters_by_effect = composition.text, composition.parameters
         file = scratch / f"{composition.name}.mo"
         write_text(file, text)
-        name, needed = str(file), catalogue.sources(model)
-    opened = partial(models.opened, name, needed, [START_VALUES] * data.estimates_starts)
+        name, source_files = str(file), catalogue.sources(model)
+    opened = partial(models.opened, name, source_files, [START_VALUES] * data.estimates_starts)
     simulators = Simulators(opened(), opened)
     simulator = simulators.first
     try:
@@ -93,7 +93,7 @@ def open_model(
         simulators.close()
         raise
     key = made_for(data, model, effects)
-    return Opened(name, needed, simulators, parameters, origin, text, key)
+    return Opened(name, source_files, simulators, parameters, origin, text, key)
 
 
 def without_ratios(effects: Sequence[str]) -> tuple[str, ...]:

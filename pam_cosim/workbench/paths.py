@@ -21,15 +21,15 @@ def safe_name(name: str) -> str:
         InputError: nothing is left of it.
     """
     last = re.split(r"[\\/]", name)[-1]
-    made = re.sub(r"[^A-Za-z0-9_.()+ -]", "_", last).lstrip(". -")[-_LONGEST:]
-    if not _NAME.fullmatch(made):
+    allowed_name = re.sub(r"[^A-Za-z0-9_.()+ -]", "_", last).lstrip(". -")[-_LONGEST:]
+    if not _NAME.fullmatch(allowed_name):
         raise InputError(f"{shown(name)} cannot be the name of a file")
-    return made.rstrip(" .")
+    return allowed_name.rstrip(" .")
 
 
-def free_name(name: str, taken: Collection[str]) -> str:
+def free_name(name: str, names: Collection[str]) -> str:
     """The name of a file, numbered where there is one of that name, in whatever case, already."""
-    used = {name_in_use.casefold() for name_in_use in taken}
+    used = {name_in_use.casefold() for name_in_use in names}
     stem, dot, ending = name.rpartition(".")
     stem, ending = (stem, dot + ending) if stem else (name, "")
     numbered = (f"{stem[: _LONGEST - len(ending) - 5]}-{i}{ending}" for i in count(2))

@@ -107,14 +107,14 @@ def answer(number: Any, result: Json | None = None, failed: Json | None = None) 
 
 def failure(problem: BaseException, during: str = "") -> Json:
     """What went wrong, in words, and where; of a file its name alone is sent."""
-    where = file = ""
+    column = file = ""
     if isinstance(problem, InputError):
         file = "" if problem.file is None else Path(str(problem.file)).name
-        where = "" if problem.column is None else str(problem.column)
+        column = "" if problem.column is None else str(problem.column)
         text, line = problem.message, problem.line
     elif isinstance(problem, SimulationFailure):
         text, line = f"the simulation failed: {problem}", None
     else:
         kind = type(problem).__name__
         text, line = f"something went wrong that should not ({kind}: {problem})", None
-    return {"text": text, "file": file, "line": line, "column": where, "during": during}
+    return {"text": text, "file": file, "line": line, "column": column, "during": during}

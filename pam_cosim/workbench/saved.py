@@ -259,15 +259,15 @@ def checked_content(content: Any, models: Collection[str]) -> SavedContent:
         ValueError: something in it cannot be; names the place.
     """
     try:
-        made = SavedContent.model_validate(content)
+        saved = SavedContent.model_validate(content)
     except ValidationError as error:
         raise ValueError(complaint(error)) from None
-    if made.model not in models:
+    if saved.model not in models:
         try:
-            _bench(made.model)
+            _bench(saved.model)
         except ValueError as problem:
             raise ValueError(f"model: {problem}") from None
-    return made
+    return saved
 
 
 def complaint(error: ValidationError) -> str:
@@ -309,7 +309,7 @@ def save_state(state: State, folder: Path) -> str:
     """
     target = inside(folder, FILE)
     before = _products(target)
-    products = {what: _kept(getattr(state, what), folder, what) for what in ("fit", "diagnosis")}
+    products = {kind: _kept(getattr(state, kind), folder, kind) for kind in ("fit", "diagnosis")}
     content = {
         "format": _FORMAT,
         "runs": [run.name for run in state.data.runs],
@@ -331,17 +331,17 @@ def _products(file: Path) -> set[str]:
         content = read_json(file)
     except InputError:
         return set()
-    named = [content.get("fit"), content.get("diagnosis")] if isinstance(content, dict) else []
-    return {name for name in named if isinstance(name, str) and _PRODUCT.fullmatch(name)}
+    file_names = [content.get("fit"), content.get("diagnosis")] if isinstance(content, dict) else []
+    return {name for name in file_names if isinstance(name, str) and _PRODUCT.fullmatch(name)}
 
 
-def _kept(product: Fit | Diagnosis | None, folder: Path, what: str) -> str | None:
+def _kept(product: Fit | Diagnosis | None, folder: Path, kind: str) -> str | None:
     """Writes a product under a name that says what is in it: a study refers to what was there when it was saved."""
     if product is None:
         return None
     with TemporaryDirectory(prefix="pam-cosim-") as scratch:
         content = save(product, Path(scratch) / "product.npz").read_bytes()
-    name = f"workbench-{what}-{hashlib.sha256(content).hexdigest()[:12]}.npz"
+    name = f"workbench-{kind}-{hashlib.sha256(content).hexdigest()[:12]}.npz"
     write_bytes(inside(folder, name), content)
     return name
 

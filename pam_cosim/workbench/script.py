@@ -67,10 +67,10 @@ class _Script:
                 lines = [*self._composing(()), self.reading(), "values = {}"]
             case "fit":
                 options = f"method={a['method']!r}, free={a['free']!r}, {_stated(a, 'start')}"
-                kept = f"= {_numbers(a['kept'])} |" if "kept" in a else "|="
+                assignment = f"= {_numbers(a['kept'])} |" if "kept" in a else "|="
                 lines = [
                     f"fit = pam.fit(data, model, {options}files=files)",
-                    f"values {kept} {_numbers(a['start'])} | fit.values",
+                    f"values {assignment} {_numbers(a['start'])} | fit.values",
                 ]
             case "diagnose":
                 self.diagnosed = self.effects
@@ -121,11 +121,11 @@ class _Script:
         if not on:
             return [f"model, files = {base!r}, {self.files!r}"]
         model = f"{self.catalogue.composed(base, on).name}.mo"
-        further = [*self.files, *([base] if is_modelica(base) else [])]
+        file_names = [*self.files, *([base] if is_modelica(base) else [])]
         return [
             f"files = {self.files!r}",
             f"pam.add({on!r}, to={base!r}, output={model!r}, files=files)",
-            f"model, files = {model!r}, {further!r}",
+            f"model, files = {model!r}, {file_names!r}",
         ]
 
 

@@ -103,9 +103,9 @@ class Window:
             future = workbench.do(command)
             future.add_done_callback(lambda done, number=number: self._answer(done, number))  # type: ignore[misc]
 
-    def _answer(self, done: Any, number: Any) -> None:
+    def _answer(self, answered: Any, number: Any) -> None:
         """From any thread."""
-        self.tell(_answer(done, number))
+        self.tell(_answer(answered, number))
         with contextlib.suppress(RuntimeError):  # the server has ended
             self.loop.call_soon_threadsafe(self._asked.release)
 
@@ -129,13 +129,13 @@ class Window:
                 raise problem
 
 
-def _answer(done: Any, number: Any) -> str:
-    if done.cancelled():
+def _answer(answered: Any, number: Any) -> str:
+    if answered.cancelled():
         return answer(number, failed={"text": "the workbench is being closed"})
-    problem = done.exception()
+    problem = answered.exception()
     if problem is not None:
         return answer(number, failed=failure(problem))
-    return answer(number, done.result())
+    return answer(number, answered.result())
 
 
 async def _send(socket: WebSocket, message: str | bytes) -> None:
@@ -169,7 +169,7 @@ async def _body(request: Request) -> bytearray:
 
 def application(workbench: Workbench, token: str, page: Path = PAGE) -> ASGIApp:
     """The server of a workbench, as an ASGI application."""
-    taken = asyncio.Semaphore(MOST_AT_ONCE)
+    open_requests = asyncio.Semaphore(MOST_AT_ONCE)
 
     async def index(request: Request) -> Response:
         return FileResponse(page / "index.html")
@@ -187,7 +187,7 @@ def application(workbench: Workbench, token: str, page: Path = PAGE) -> ASGIApp:
 
     async def drop(request: Request) -> Response:
         try:
-            async with taken:
+            async with open_requests:
                 content = await _body(request)
                 result = await asyncio.wrap_future(
                     workbench.put(request.query_params.get("name", ""), content)

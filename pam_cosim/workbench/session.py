@@ -27,7 +27,7 @@ class Session(StudyWithJobs):
     def _begin(self, model: str | None) -> None:
         super()._begin(model)
         try:
-            load_at_first(self, named=model is not None)
+            load_at_first(self, model_is_stated=model is not None)
         except (InputError, SimulationFailure) as problem:
             self.tell_failure(problem, "load", line=True)
 
@@ -70,7 +70,7 @@ class Session(StudyWithJobs):
             refused.set_exception(problem)
             return refused
         with self._lock:
-            self._waiting |= {str(one): value for one, value in values.items()}
+            self._waiting |= {str(number): value for number, value in values.items()}
         return self._thread.submit(self._set_waiting)
 
     def _set_waiting(self) -> Json:

@@ -47,8 +47,8 @@ class StartsShown:
             version: of what is drawn.
         """
         runs = [run for run in state.data.runs if not run.is_static]
-        shown = [self._run(run, state, opened, begun) for run in runs]
-        return event("starts", version=version, runs=shown)
+        run_entries = [self._run(run, state, opened, begun) for run in runs]
+        return event("starts", version=version, runs=run_entries)
 
     def _run(self, run: Run, state: State, opened: Opened, begun: Mapping[str, Estimate]) -> Json:
         interface = opened.simulator.interface
@@ -58,13 +58,13 @@ class StartsShown:
         mode = (
             BY_HAND if by_hand else "periodic" if run.start.periodic else run.start.mode or "rest"
         )
-        shown = {"run": run.name, "mode": mode, "modes": _modes(opened)}
+        entry = {"run": run.name, "mode": mode, "modes": _modes(opened)}
         try:
             reach_is_set = all(f"{name}@{run.name}" in self._reach for name in interface.states)
             course = courses(run, state, opened, begun, only_start=reach_is_set)
         except SimulationFailure as failure:
-            return shown | {"text": f"{run.name}: {failure}", "warning": True, "values": []}
-        return shown | {
+            return entry | {"text": f"{run.name}: {failure}", "warning": True, "values": []}
+        return entry | {
             "text": _text(run, mode),
             "warning": run.start.mode == "rest" and bool(run.start.reason) and not by_hand,
             "values": [

@@ -70,5 +70,5 @@ def standing_label(state: State) -> str:
 
 def with_rung(rungs: tuple[Json, ...], rung: Json) -> tuple[Json, ...]:
     """The ladder with one more rung, which replaces a rung of the same name directly below."""
-    kept = rungs[:-1] if rungs and rungs[-1]["label"] == rung["label"] else rungs
-    return (*kept, rung)
+    rungs_below = rungs[:-1] if rungs and rungs[-1]["label"] == rung["label"] else rungs
+    return (*rungs_below, rung)

@@ -149,11 +149,11 @@ def scores_event(
 ) -> Json:
     """The event of how far the standing model is from the measurement."""
     signals = comparison.data.signals
-    now = rung_of(standing_label(state), comparison)
+    present_rung = rung_of(standing_label(state), comparison)
     return event(
         "scores",
         version=version,
-        scores={role: now[role] for role in ROLES},
+        scores={role: present_rung[role] for role in ROLES},
         runs={
             r.run.name: {
                 name: signal_score.rmse * readable_factor(signals[name].unit)
@@ -161,7 +161,7 @@ def scores_event(
             }
             for r in comparison.runs
         },
-        ladder=with_rung(state.rungs, now),
+        ladder=with_rung(state.rungs, present_rung),
         values={
             f.name: value_of(f, state) * readable_factor(f.unit) for f in opened.parameters.values()
         },
@@ -177,8 +177,8 @@ def where_event(
     rules: Sequence[Rule], ranges: Sequence[dict[str, list[tuple[float, float]]]], version: int
 ) -> Json:
     """The event of where the error is."""
-    shown = [
+    rule_entries = [
         selected(rule, "signal rule error_share time_share", ranges=times)
         for rule, times in zip(rules, ranges, strict=True)
     ]
-    return event("where", version=version, rules=shown)
+    return event("where", version=version, rules=rule_entries)

@@ -55,7 +55,7 @@ class Windows:
     def forget(self, *kinds: str, lines: bool = False) -> bool:
         """Keeps events or curves of these kinds no longer; returns whether there were any."""
         with self._lock:
-            kept = [self._kept.pop(kind, None) for kind in kinds]
+            removed = [self._kept.pop(kind, None) for kind in kinds]
             if lines:
                 self._lines = []
-        return any(kept)
+        return any(removed)

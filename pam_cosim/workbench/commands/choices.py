@@ -24,9 +24,11 @@ def roles(study: StudyWithJobs, roles: Mapping[str, str]) -> None:
     if not isinstance(roles, Mapping):
         raise InputError("roles wants fit or holdout by run")
     data = study.state.data.with_roles(roles)
-    now = {run.name: run.role for run in data.runs}
-    text = listed(f"{run} {role}" for run, role in now.items() if stated_of(run, roles) is not None)
-    _choose(study, "roles", f"roles: {text}", {"roles": now})
+    roles_of_runs = {run.name: run.role for run in data.runs}
+    text = listed(
+        f"{run} {role}" for run, role in roles_of_runs.items() if stated_of(run, roles) is not None
+    )
+    _choose(study, "roles", f"roles: {text}", {"roles": roles_of_runs})
 
 
 def cut(
@@ -42,13 +44,13 @@ def cut(
     cuts = {**chosen.get("cuts", {}), old.name: [first, last]}
     starts = dict(chosen.get("starts", {}))
     data, _ = study.source.read(study.bench, chosen | {"cuts": cuts})
-    moved = _run(data, run).time[0] != old.time[0]
-    if moved:
+    begins_elsewhere = _run(data, run).time[0] != old.time[0]
+    if begins_elsewhere:
         starts.pop(old.name, None)
     ends = ["its beginning" if first is None else f"{first:.13g} s"]
     ends.append("its end" if last is None else f"{last:.13g} s")
     text = f"cut {old.name}: {'all of it' if first is last is None else ' to '.join(ends)}"
-    values = _without_start(study, old.name) if moved else dict(study.state.values)
+    values = _without_start(study, old.name) if begins_elsewhere else dict(study.state.values)
     _choose(study, "cut", text, {"cuts": cuts, "starts": starts}, values)
 
 
@@ -92,14 +94,16 @@ def free(study: StudyWithJobs, names: Sequence[str]) -> None:
     """Leaves just these parameters of the base model free for a fit; the others keep the values that they have."""
     study.make_room()
     state, chosen = study.state, study.state.chosen
-    wanted = names_of(names, "free")
+    free_names = names_of(names, "free")
     before = {n: f for n, f in study.opened.parameters.items() if n not in study.opened.origin}
     stated = dict(chosen.get("values", {}))
-    held = {n: value_of(f, state) for n, f in before.items() if n not in wanted}
-    released = {n: v for n, v in stated.items() if n in wanted}
-    stated = {n: v for n, v in (stated | held).items() if n not in wanted}
+    held = {n: value_of(f, state) for n, f in before.items() if n not in free_names}
+    released = {n: v for n, v in stated.items() if n in free_names}
+    stated = {n: v for n, v in (stated | held).items() if n not in free_names}
     values = {n: v for n, v in state.values.items() if n not in stated} | released
-    _choose(study, "free", f"free: {listed(wanted)}", {"free": wanted, "values": stated}, values)
+    _choose(
+        study, "free", f"free: {listed(free_names)}", {"free": free_names, "values": stated}, values
+    )
 
 
 def state_values(study: StudyWithJobs, values: Mapping[str, float | None]) -> None:
@@ -109,8 +113,8 @@ def state_values(study: StudyWithJobs, values: Mapping[str, float | None]) -> No
         f"{name} as the data set says" if value is None else f"{name} = {value:.4g}"
         for name, value in values.items()
     )
-    kept = {name: value for name, value in stated.items() if value is not None}
-    _choose(study, "state", f"state {text}", {"values": kept})
+    values_by_name = {name: value for name, value in stated.items() if value is not None}
+    _choose(study, "state", f"state {text}", {"values": values_by_name})
 
 
 def in_si(name: str, value: Any, unit: str, *, difference: bool = False) -> float:
@@ -141,15 +145,18 @@ def _choose(
 ) -> None:
     """Reads the data set anew with more that is chosen; the ladder begins anew where it would compare other samples."""
     state = study.state
-    chosen, kept = {**state.chosen, **more}, dict(state.values if values is None else values)
+    chosen, values_after = (
+        {**state.chosen, **more},
+        dict(state.values if values is None else values),
+    )
     data, model_values = study.source.read(study.bench, chosen)
-    step = Step(do, {"text": text, "chosen": chosen, "values": kept})
+    step = Step(do, {"text": text, "chosen": chosen, "values": values_after})
     rungs = state.rungs if do in ("free", "state") else ()
     changes: dict[str, Any] = {
         "data": data,
         "known": model_values,
         "chosen": chosen,
-        "values": kept,
+        "values": values_after,
     }
     study.enter(state.after(step, rungs=rungs, before=None, milestone="", **changes))
 
@@ -178,9 +185,9 @@ def _run(data: DataSet, name: Any) -> Run:
     return runs[one_of(name, runs, "run")]
 
 
-def _time(value: Any, which: str) -> float | None:
+def _time(value: Any, end: str) -> float | None:
     if value is None:
         return None
     if not is_number(value) or not np.isfinite(value):
-        raise InputError(f"{which} wants a time in seconds, not {shown(value)}")
+        raise InputError(f"{end} wants a time in seconds, not {shown(value)}")
     return float(value)

@@ -118,8 +118,8 @@ def load(study: StudyWithJobs) -> None:
     study.tell_diagnosis()
 
 
-def load_at_first(study: StudyWithJobs, named: bool) -> None:
-    """Loads the saved study, if there is one; where a model was ``named``, not that of another model.
+def load_at_first(study: StudyWithJobs, model_is_stated: bool) -> None:
+    """Loads the saved study, if there is one; with ``model_is_stated`` only one of the stated model.
 
     Raises:
         InputError: the saved study is damaged, or of another model.
@@ -128,7 +128,7 @@ def load_at_first(study: StudyWithJobs, named: bool) -> None:
     study.saved_file = identity(study.folder / FILE)
     if not (study.folder / FILE).is_file():
         return
-    model = load_state(study.folder, study.first).model if named else ""
+    model = load_state(study.folder, study.first).model if model_is_stated else ""
     if model and not _is_first(study, model):
         raise InputError(
             f"the saved study is of {short_name(model)}, and was not loaded: this one was opened with "
@@ -141,8 +141,8 @@ def _is_first(study: StudyWithJobs, model: str) -> bool:
     """Whether it is the model with which the study was opened, however it is written."""
     first = study.first
     tree = study.catalogue.tree(first.model)
-    asked = first.data.unmapped or first.model
-    return model == first.model or qualified(tree, model) == qualified(tree, asked)
+    first_model = first.data.unmapped or first.model
+    return model == first.model or qualified(tree, model) == qualified(tree, first_model)
 
 
 def script(study: StudyWithJobs) -> Json:

@@ -38,10 +38,10 @@ def fit(
     def finish(result: Fit) -> None:
         state = study.state
         # what was moved while it was stopped is no part of what it fitted
-        kept = {} if state.values == begun else {"kept": begun}
+        moved_values = {} if state.values == begun else {"kept": begun}
         study.enter(
             state.after(
-                Step("fit", options | kept),
+                Step("fit", options | moved_values),
                 values={**begun, **start, **result.values},
                 fit=result,
                 milestone=f"{label_of(state.effects)}, fitted",

@@ -52,7 +52,7 @@ def choose(study: StudyWithJobs, model: str) -> None:
     state = study.state
     chosen = {key: value for key, value in state.chosen.items() if key in OF_RUNS}
     data, values = study.source.read(name, chosen)
-    same = data.signals.keys() == state.data.signals.keys()
+    same_signals = data.signals.keys() == state.data.signals.keys()
     study.enter(
         state.after(
             Step("choose", {"model": name}),
@@ -68,7 +68,7 @@ def choose(study: StudyWithJobs, model: str) -> None:
             diagnosis=None,
             diagnosed=(),
             milestone=f"{name}, as stated",
-            rungs=state.rungs if same else (),
+            rungs=state.rungs if same_signals else (),
         )
     )
     study.tell_diagnosis()
@@ -77,18 +77,21 @@ def choose(study: StudyWithJobs, model: str) -> None:
 def take(study: StudyWithJobs, candidate: Sequence[str]) -> None:
     """Makes a model of the ranking, named by its effects, the standing one, at the values that were fitted."""
     study.make_room()
-    state, wanted = study.state, tuple(names_of(candidate, "take"))
+    state, effect_names = study.state, tuple(names_of(candidate, "take"))
     candidates = state.diagnosis.candidates if state.diagnosis else ()
-    chosen = next((c for c in candidates if c.effects == wanted), None)
+    chosen = next((c for c in candidates if c.effects == effect_names), None)
     if chosen is None:
         raise InputError("the ranking of the last diagnosis has no such model")
     effects = (*state.diagnosed, *chosen.effects)
-    kept, fitted = _kept(study, ()), chosen.fit.values
+    values_without_effects, fitted = _kept(study, ()), chosen.fit.values
     study.enter(
         state.after(
-            Step("take", {"effects": list(chosen.effects), "values": fitted, "kept": kept}),
+            Step(
+                "take",
+                {"effects": list(chosen.effects), "values": fitted, "kept": values_without_effects},
+            ),
             effects=effects,
-            values={**kept, **fitted},
+            values={**values_without_effects, **fitted},
             fit=chosen.fit,
             file=None,
             milestone=f"{label_of(effects)}, fitted",

@@ -23,10 +23,14 @@ def set_values(study: StudyWithJobs, values: Mapping[str, Any], dragged: bool = 
     study.check_free()
     interface = study.opened.simulator.interface
     settable = {**interface.parameters, **interface.inputs}
-    moved, stated, starts = dict[str, float](), dict[str, float | None](), dict[str, float]()
+    slider_values, stated, starts = (
+        dict[str, float](),
+        dict[str, float | None](),
+        dict[str, float](),
+    )
     for name, value in values.items():
         if name in study.opened.parameters:
-            moved[name] = _number(study, study.opened.parameters[name], value)
+            slider_values[name] = _number(study, study.opened.parameters[name], value)
             continue
         owner = name.rpartition("@")[0]
         state, held = interface.start_values.get(owner), settable.get(owner or name)
@@ -37,8 +41,8 @@ def set_values(study: StudyWithJobs, values: Mapping[str, Any], dragged: bool = 
         else:
             stated[name] = None if value is None else value_of(in_si(name, value, held.unit), held)
     hand = {"dragged": True} if dragged else {}
-    if moved:
-        _move(study, Step("set", {"values": moved} | hand))
+    if slider_values:
+        _move(study, Step("set", {"values": slider_values} | hand))
     if starts:  # the other states of these runs begin where they did
         begins = dict[str, float]()
         for run in dict.fromkeys(name.rpartition("@")[2] for name in starts):
