@@ -62,8 +62,8 @@ class Comparison(Printed, Tabular):
 
     def against(self, data: DataSet) -> Comparison:
         """The same simulations compared with other samples: ``data`` has the same runs with fewer samples."""
-        same = self.with_data(data)
-        return replace(same, scores=_scores(data, same.runs))
+        other_comparison = self.with_data(data)
+        return replace(other_comparison, scores=_scores(data, other_comparison.runs))
 
     def without_data(self) -> Comparison:
         """The same without the samples, which the caller has: ``with_data`` puts them back."""
@@ -232,8 +232,8 @@ def scored(
     )
     settable = interface.settable
     names_of_runs = (name for run in data.runs for name in (*run.parameters, *run.inputs))
-    named = dict.fromkeys([*stated_values, *names_of_runs])
-    units = {name: settable[name].unit for name in named if name in settable}
+    value_names = dict.fromkeys([*stated_values, *names_of_runs])
+    units = {name: settable[name].unit for name in value_names if name in settable}
     return Comparison(
         interface.model, data, stated_values, tuple(runs), _scores(data, runs), tuple(sits), units
     )

@@ -295,9 +295,9 @@ def _value(run: Run, name: str, fitted: Mapping[str, float]) -> float:
 
 def _moments(cells: Array) -> tuple[Array, Array]:
     """Mean and standard deviation of each row; NaN where it has no number."""
-    kept = [row[np.isfinite(row)] for row in cells]
-    mean = np.array([row.mean() if row.size else np.nan for row in kept])
-    return mean, np.array([row.std() if row.size else np.nan for row in kept])
+    finite_cells = [row[np.isfinite(row)] for row in cells]
+    mean = np.array([row.mean() if row.size else np.nan for row in finite_cells])
+    return mean, np.array([row.std() if row.size else np.nan for row in finite_cells])
 
 
 def _cell(value: float) -> str:

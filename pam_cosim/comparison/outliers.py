@@ -28,10 +28,10 @@ def outliers(residual: Array, together: int = 1) -> NDArray[np.bool_]:
     against a model that follows it, two outliers may be neighbours by chance.
     """
     far_off = np.zeros(len(residual), dtype=bool)
-    kept = np.flatnonzero(np.isfinite(residual))
-    if len(kept) < CRITERIA.noise.outlier_fewest:
+    sample_rows = np.flatnonzero(np.isfinite(residual))
+    if len(sample_rows) < CRITERIA.noise.outlier_fewest:
         return far_off
-    e = residual[kept]
+    e = residual[sample_rows]
     off = e - median_filter(e, CRITERIA.noise.outlier_window, mode="nearest")
     far = np.abs(off) > CRITERIA.noise.outlier_far * MEDIAN_TO_SIGMA * float(np.median(np.abs(off)))
     size = np.abs(np.concatenate([[0.0], off, [0.0]]))
@@ -43,7 +43,7 @@ def outliers(residual: Array, together: int = 1) -> NDArray[np.bool_]:
         ):
             far[begin:end] = False
     if far.mean() <= CRITERIA.noise.outlier_most:
-        far_off[kept[far]] = True
+        far_off[sample_rows[far]] = True
     return far_off
 
 

@@ -93,11 +93,11 @@ def doubts(
             ]
             found_doubts += _contradictions(runs, signal, float(np.ptp(measured)), units)
     warnings = (Doubt("warning", "", text) for text in warnings_of(runs))
-    meant = [Doubt("convention", "", convention)] if convention else []
+    convention_doubts = [Doubt("convention", "", convention)] if convention else []
     return (
         *warnings,
         *_undriven(runs),
-        *meant,
+        *convention_doubts,
         *_copies(runs),
         *_unusual(
             runs, {**units, **{n: s.unit for n, s in signals.items()}, "duration": "s"}, ranges
@@ -112,24 +112,26 @@ def _undriven(runs: Sequence[RunComparison]) -> Iterator[Doubt]:
     by_inputs: dict[tuple[str, ...], list[str]] = {}
     for r in runs:
         by_inputs.setdefault(r.run.default_inputs, []).append(r.run.name)
-    for names, own in by_inputs.items():
+    for names, run_names in by_inputs.items():
         if names:
-            verb, them = ("is", "it") if len(names) == 1 else ("are", "them")
-            text = f"{listed(own)}: {listed(names)} {verb} neither a column nor stated, and the model's default is used"
+            verb, pronoun = ("is", "it") if len(names) == 1 else ("are", "them")
             yield Doubt(
-                "undriven", "", f"{text}; record {them}, or state a value under [parameters]"
+                "undriven",
+                "",
+                f"{listed(run_names)}: {listed(names)} {verb} neither a column nor stated, and the model's default "
+                f"is used; record {pronoun}, or state a value under [parameters]",
             )
 
 
 def _copies(runs: Sequence[RunComparison]) -> Iterator[Doubt]:
     """Runs of the same samples, noise and all: one file under two names checks nothing and counts twice."""
-    seen: dict[tuple[str, bytes], str] = {}
+    first_runs: dict[tuple[str, bytes], str] = {}
     for r in runs:
         for name, values in r.run.measurements.items():
             samples = values[np.isfinite(values)]
             if len(samples) < FEWEST_SAMPLES or not np.ptp(samples):
                 continue
-            earlier_run = seen.setdefault((name, samples.tobytes()), r.run.name)
+            earlier_run = first_runs.setdefault((name, samples.tobytes()), r.run.name)
             if earlier_run != r.run.name:
                 yield Doubt(
                     "copy",
@@ -149,10 +151,12 @@ def _unusual(
     for run in (r.run for r in runs if not r.run.is_static):
         duration = np.array([np.ptp(run.time)])
         for name, values in {"duration": duration, **run.inputs, **run.measurements}.items():
-            there = values[np.isfinite(values)]
-            if len(there) and units.get(name) in limits:
+            finite_values = values[np.isfinite(values)]
+            if len(finite_values) and units.get(name) in limits:
                 low, high = limits[units[name]]
-                far = there[np.argmax(np.maximum(low - there, there - high))]
+                far = finite_values[
+                    np.argmax(np.maximum(low - finite_values, finite_values - high))
+                ]
                 farthest.setdefault(name, []).append((float(far), run.name))
     for name, ends in farthest.items():
         low, high = limits[units[name]]
@@ -170,12 +174,12 @@ def _unusual(
 def _samples(runs: Sequence[RunComparison], name: str) -> tuple[Array, Array]:
     """All samples of a signal, and the model's values at them."""
     pairs = [(r.run.measurements[name], r.model[name]) for r in runs if r.run.sample_count(name)]
-    kept = [np.isfinite(measured) for measured, _ in pairs]
-    both = [
-        np.concatenate([p[i][k] for p, k in zip(pairs, kept, strict=True)] or [np.zeros(0)])
+    is_measured = [np.isfinite(measured) for measured, _ in pairs]
+    columns = [
+        np.concatenate([p[i][k] for p, k in zip(pairs, is_measured, strict=True)] or [np.zeros(0)])
         for i in (0, 1)
     ]
-    return both[0], both[1]
+    return columns[0], columns[1]
 
 
 def _rms(values: Array) -> float:
@@ -204,15 +208,17 @@ def _marker(
 ) -> Doubt:
     """One value farther from all others than these are apart, as loggers write where there is no reading."""
     all_values = np.concatenate([values[np.isfinite(values)] for _, values in values_by_run])
-    rest = all_values[all_values != value]
+    other_values = all_values[all_values != value]
     run, values = next((run, values) for run, values in values_by_run if value in values)
     place = place_in(run, int(np.argmax(values == value)))
-    count = len(all_values) - len(rest)
-    shown, low, high = (format_quantity(float(v), unit) for v in (value, rest.min(), rest.max()))
+    count = len(all_values) - len(other_values)
+    marker_text, low, high = (
+        format_quantity(float(v), unit) for v in (value, other_values.min(), other_values.max())
+    )
     return Doubt(
         "marker",
         name,
-        f"{name}: {count} of {len(all_values)} samples {_is(count)} {shown}, first {place}; "
+        f"{name}: {count} of {len(all_values)} samples {_is(count)} {marker_text}, first {place}; "
         f"all others lie between {low} and {high}. Where that number marks "
         'a missing sample, write it as the file has it, as in missing = ["-999"] under [recording]',
     )
@@ -238,7 +244,7 @@ def _still(signal: Signal, measured: Array, modelled: Array) -> Iterator[Doubt]:
 def _stuck(runs: Sequence[RunComparison], signal: Signal) -> Iterator[Doubt]:
     """A signal that repeats one number for much of a run, and shows noise before or after it, where the model moves."""
     for r in runs:
-        kept, _, measured = (
+        is_measured, _, measured = (
             r.at_samples(signal.name) if r.run.sample_count(signal.name) else ((), (), ())
         )
         if len(measured) < FEWEST_SAMPLES or r.run.is_static:
@@ -247,10 +253,10 @@ def _stuck(runs: Sequence[RunComparison], signal: Signal) -> Iterator[Doubt]:
         edges = np.concatenate([[-1], changes, [len(measured) - 1]])
         longest = int(np.argmax(np.diff(edges)))
         first, last = int(edges[longest]) + 1, int(edges[longest + 1])
-        moves = float(np.ptp(r.model[signal.name][kept][first : last + 1]))
+        moves = float(np.ptp(r.model[signal.name][is_measured][first : last + 1]))
         stays = last - first + 1 > _STUCK * len(measured) and moves > _NOISE_LIMIT * signal.sigma
         if stays and 2 * len(changes) > len(measured) - (last - first + 1):
-            times = r.run.time[kept]
+            times = r.run.time[is_measured]
             yield Doubt(
                 "stuck",
                 signal.name,
@@ -335,8 +341,10 @@ def _reach(runs: Sequence[RunComparison], units: Mapping[str, str]) -> str:
     names = dict.fromkeys(
         name for r in runs for name in r.run.inputs if has_usual_units(units.get(name, ""))
     )
-    every = {n: np.concatenate([r.run.inputs[n] for r in runs if n in r.run.inputs]) for n in names}
-    ends = {n: float(values[np.argmax(np.abs(values))]) for n, values in every.items()}
+    values_by_input = {
+        n: np.concatenate([r.run.inputs[n] for r in runs if n in r.run.inputs]) for n in names
+    }
+    ends = {n: float(values[np.argmax(np.abs(values))]) for n, values in values_by_input.items()}
     words = listed(f"{n} goes to {format_quantity(end, units[n], 6)}" for n, end in ends.items())
     return f", or of an input: {words}" if ends else ""
 
@@ -349,10 +357,15 @@ def _one_sided(signal: Signal, measured: Array, modelled: Array) -> Iterator[Dou
     )
     for sign, least, beyond in ((1.0, "falls below", "down to"), (-1.0, "rises above", "up to")):
         signed, model = sign * measured, sign * modelled
-        there = model < -room
-        if signed.min() < -room or not there.any() or np.ptp(measured) == 0 or signed.max() <= room:
+        is_below = model < -room
+        if (
+            signed.min() < -room
+            or not is_below.any()
+            or np.ptp(measured) == 0
+            or signed.max() <= room
+        ):
             continue
-        share = 100 * float(there.mean())
+        share = 100 * float(is_below.mean())
         most = format_quantity(float(sign * model.min()), signal.unit)
         yield Doubt(
             "one_sided",
@@ -376,12 +389,14 @@ def _contradictions(
         if at is None:
             continue
         i, j = at
-        seen = float(np.nanmedian(b.run.measurements[name][j] - a.run.measurements[name][i]))
+        measured_change = float(
+            np.nanmedian(b.run.measurements[name][j] - a.run.measurements[name][i])
+        )
         expected = float(np.median(b.model[name][j] - a.model[name][i]))
-        if seen * expected < 0 and min(abs(seen), abs(expected)) > least:
+        if measured_change * expected < 0 and min(abs(measured_change), abs(expected)) > least:
             unit = units.get(parameter, "")
             value_a, value_b = (format_quantity(r.run.parameters[parameter], unit) for r in (a, b))
-            real, modelled = (format_quantity(v, signal.unit) for v in (seen, expected))
+            real, modelled = (format_quantity(v, signal.unit) for v in (measured_change, expected))
             yield Doubt(
                 "contradiction",
                 name,
@@ -407,21 +422,23 @@ def _alike(
 
     Inputs say what it does where samples of one run at nearly the same inputs are nearly the same in the model.
     """
-    both = {name: np.concatenate([v, b.run.inputs[name]]) for name, v in a.run.inputs.items()}
-    span = {name: max(float(np.ptp(v)), 1e-300) for name, v in both.items()}
+    values_by_input = {
+        name: np.concatenate([v, b.run.inputs[name]]) for name, v in a.run.inputs.items()
+    }
+    span = {name: max(float(np.ptp(v)), 1e-300) for name, v in values_by_input.items()}
     samples, places = [], []
     if min(len(a.run.time), len(b.run.time)) < FEWEST_SAMPLES:
         return None
     for r in (a, b):
         at = np.arange(0, len(r.run.time), math.ceil(len(r.run.time) / _MOST_SAMPLES))
-        where = _places(r, span)[at]
-        distance, other = KDTree(where).query(where, k=2)
+        positions = _places(r, span)[at]
+        distance, other = KDTree(positions).query(positions, k=2)
         model = r.model[signal][at]
         apart = np.abs(model - model[other[:, 1]])[distance[:, 1] < _SAME_INPUTS]
         if len(apart) < FEWEST_SAMPLES or _rms(apart) > _SAME_INPUTS * float(np.ptp(model)):
             return None
         samples.append(at)
-        places.append(where)
+        places.append(positions)
     distance, other = KDTree(places[1]).query(places[0])
     pairs = np.flatnonzero(
         (distance < _SAME_INPUTS) & np.isfinite(a.run.measurements[signal][samples[0]])

@@ -110,14 +110,18 @@ def series_of(
         for name, signal in signals.items():
             if signal.fitted and r.run.sample_count(name):
                 error = r.residual(name)
-                kept = np.isfinite(error)
-                values = standardized_residuals(error[kept], signal, r.run.measurements[name][kept])
+                is_measured = np.isfinite(error)
+                values = standardized_residuals(
+                    error[is_measured], signal, r.run.measurements[name][is_measured]
+                )
                 if shifts and (r.run.name, name) in shifts:
-                    values = values + shifts[r.run.name, name][kept]
+                    values = values + shifts[r.run.name, name][is_measured]
                 # Steps are what they are, also where the noise is not known.
                 noise_is_known = not signal.estimated or signal.is_coarse
                 series.append(
-                    Series(values, expected_squares(error[kept], signal), noise_is_known, name)
+                    Series(
+                        values, expected_squares(error[is_measured], signal), noise_is_known, name
+                    )
                 )
     return series
 
@@ -213,8 +217,8 @@ def _correlation_time(series: Sequence[Series]) -> float:
             continue
         most = max(2, int(CRITERIA.residuals.longest_memory * len(e)))
         r = autocorrelation(e, most)[1:]
-        gone = np.flatnonzero(r <= CRITERIA.residuals.memory_gone / np.sqrt(len(e)))
-        time = 1 + 2 * float(np.sum(r[: gone[0]] if len(gone) else r))
+        insignificant = np.flatnonzero(r <= CRITERIA.residuals.memory_gone / np.sqrt(len(e)))
+        time = 1 + 2 * float(np.sum(r[: insignificant[0]] if len(insignificant) else r))
         total += power_of_part * time
         power += power_of_part
     return max(1.0, total / power) if power else 1.0

@@ -38,8 +38,8 @@ class RunComparison:
     def at_samples(self, signal: str) -> tuple[NDArray[np.bool_], Array, Array]:
         """(n,) which samples of a signal there are, and the residuals and readings of these [SI]."""
         readings = self.run.measurements[signal]
-        kept = np.isfinite(readings)
-        return kept, self.residual(signal)[kept], readings[kept]
+        is_measured = np.isfinite(readings)
+        return is_measured, self.residual(signal)[is_measured], readings[is_measured]
 
 
 def warnings_of(runs: Iterable[RunComparison]) -> tuple[str, ...]:
@@ -52,8 +52,10 @@ def simulate_runs(
 ) -> list[RunComparison]:
     """Every run of a data set, as ``simulate_run``; start values of runs that it lacks are left out of ``values``."""
     names = {run.name for run in data.runs}
-    own = {n: v for n, v in values.items() if "@" not in n or n.partition("@")[2] in names}
-    return [simulate_run(simulator, data, run, own) for run in data.runs]
+    values_of_runs = {
+        n: v for n, v in values.items() if "@" not in n or n.partition("@")[2] in names
+    }
+    return [simulate_run(simulator, data, run, values_of_runs) for run in data.runs]
 
 
 def simulate_run(

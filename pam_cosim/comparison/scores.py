@@ -57,12 +57,12 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
     error, measured, model, time, names = [], [], [], [], []
     for r in runs:
         residual = r.residual(signal.name)
-        kept = np.isfinite(residual)
-        error.append(residual[kept])
-        measured.append(r.run.measurements[signal.name][kept])
-        model.append(r.model[signal.name][kept])
-        time.append(r.run.time[kept])
-        names += [r.run.name] * int(kept.sum())
+        is_measured = np.isfinite(residual)
+        error.append(residual[is_measured])
+        measured.append(r.run.measurements[signal.name][is_measured])
+        model.append(r.model[signal.name][is_measured])
+        time.append(r.run.time[is_measured])
+        names += [r.run.name] * int(is_measured.sum())
     e, y, m, t = (np.concatenate(a) for a in (error, measured, model, time))
     rmse = float(np.sqrt(np.mean(e**2)))
     span = float(np.ptp(y))
