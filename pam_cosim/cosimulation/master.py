@@ -96,11 +96,11 @@ def _stretches(network: Network, plan: StepControl, stop: float) -> list[float]:
         count = math.floor((stop - start) / distance * (1 - _SAME_TIME))
         ends.update(start + i * distance for i in range(1, count + 1))
     ordered: list[float] = []
-    near = _SAME_TIME * min([*grids, stop - start])
+    tolerance = _SAME_TIME * min([*grids, stop - start])
     for time in sorted(ends):
-        if not ordered or time - ordered[-1] > near:
+        if not ordered or time - ordered[-1] > tolerance:
             ordered.append(time)
-    if stop - ordered[-1] <= near:
+    if stop - ordered[-1] <= tolerance:
         ordered[-1] = stop
     return ordered
 
@@ -174,12 +174,12 @@ class _Chooser:
         cut_short = length < wished * (1 - _SAME_TIME) and proposed >= length
         self._next = max(self._next, proposed) if cut_short else proposed
 
-    def _length(self, left: float) -> tuple[float, float]:
+    def _length(self, remaining_time: float) -> tuple[float, float]:
         """Of the next step, and what it would be if there was no end [s]; the last two are alike."""
         wished = min(self._next, self._largest)
-        if left <= wished * (1 + _SAME_TIME):
-            return left, wished
-        return (left / 2 if left < 2 * wished else wished), wished
+        if remaining_time <= wished * (1 + _SAME_TIME):
+            return remaining_time, wished
+        return (remaining_time / 2 if remaining_time < 2 * wished else wished), wished
 
     def _too_short(self, trial: _Trial, start: float) -> CouplingFailure:
         assert trial.worst is not None
@@ -201,7 +201,7 @@ class _Chooser:
         middle = network.now
         try:
             network.step(length, can_go_back=True)
-            whole = dict(network.now.values)
+            values_of_one_step = dict(network.now.values)
             network.restore(saved)
             network.step(length / 2, can_go_back=True)
             middle = network.now.copy()
@@ -210,15 +210,15 @@ class _Chooser:
             return _Trial(math.inf, None, middle, failure)
         network.now.time = end
         errors = {
-            signal: self._error(signal, network.now.values[signal], whole[signal])
+            signal: self._error(signal, network.now.values[signal], values_of_one_step[signal])
             for signal in network.signals
         }
         worst = max(errors, key=lambda signal: errors[signal], default=None)
         return _Trial(errors[worst] if worst is not None else 0.0, worst, middle)
 
-    def _error(self, signal: Port, halves: float, whole: float) -> float:
+    def _error(self, signal: Port, two_steps: float, one_step: float) -> float:
         """The estimated error of a signal over what is allowed."""
         assert self._plan.tolerance is not None
-        scale = max(self._nominal[signal], self._seen[signal], abs(halves))
+        scale = max(self._nominal[signal], self._seen[signal], abs(two_steps))
         allowed = self._plan.tolerance * scale * (2**self._plan.order - 1)
-        return abs(halves - whole) / allowed if allowed > 0 else 0.0
+        return abs(two_steps - one_step) / allowed if allowed > 0 else 0.0

@@ -394,7 +394,7 @@ def _feeds(
 
 def _to_read(components: Mapping[str, Component], observed: Sequence[Port]) -> dict[str, list[str]]:
     names = {name: list(c.interface.outputs) for name, c in components.items()}
-    for one in observed:
-        if one.variable not in names[one.component]:
-            names[one.component].append(one.variable)
+    for p in observed:
+        if p.variable not in names[p.component]:
+            names[p.component].append(p.variable)
     return names

@@ -23,19 +23,19 @@ def controller_from(file: Path, name: str) -> Controller:
         content = runpy.run_path(str(file), run_name="pam_cosim_controller")
     except (Exception, SystemExit) as error:  # whatever a user's file raises
         places = [
-            one.lineno
-            for one in traceback.extract_tb(error.__traceback__)
-            if one.filename == str(file)
+            frame.lineno
+            for frame in traceback.extract_tb(error.__traceback__)
+            if frame.filename == str(file)
         ]
         line = error.lineno if isinstance(error, SyntaxError) else places[-1] if places else None
         raise InputError(f"{type(error).__name__}: {error}", file, line) from error
-    known = [key for key, value in content.items() if isinstance(value, Controller)]
-    one = content.get(name)
-    if isinstance(one, Controller):
-        return one
-    if callable(one):
+    controller_names = [key for key, value in content.items() if isinstance(value, Controller)]
+    controller = content.get(name)
+    if isinstance(controller, Controller):
+        return controller
+    if callable(controller):
         raise InputError(
             f"'{name}' is a function, but no controller; write @pam.controller(inputs=...) above it",
             file,
         )
-    raise InputError(f"has no controller '{name}'; {did_you_mean(name, known)}", file)
+    raise InputError(f"has no controller '{name}'; {did_you_mean(name, controller_names)}", file)

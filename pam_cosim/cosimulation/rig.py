@@ -169,9 +169,9 @@ class Rig(Printed):
         Raises:
             InputError: there is no such variable, or the unit does not fit.
         """
-        value, own = self[name], self._variable(name).unit
+        value, own_unit = self[name], self._variable(name).unit
         try:
-            return value if unit is None else float(convert(value, own, unit))
+            return value if unit is None else float(convert(value, own_unit, unit))
         except UnitError as problem:
             raise InputError(f"'{name}': {problem}") from None
 

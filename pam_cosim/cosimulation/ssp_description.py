@@ -71,19 +71,19 @@ def _system(entries: SspEntries, system: Any, place: Place, description: Descrip
     _bindings(entries, system, place, description)
     for element in system.iterfind("ssd:Elements/*", NAMESPACES):
         kind = etree.QName(element).localname
-        own = (*place, _plain(str(element.get("name"))))
+        own_place = (*place, _plain(str(element.get("name"))))
         if kind == "System":
-            _system(entries, element, own, description)
+            _system(entries, element, own_place, description)
         elif kind != "Component" or element.get("type", FMU_TYPE) != FMU_TYPE:
             raise InputError(
-                f"'{'.'.join(own)}' is not an FMU ({_plain(element.get('type', kind))})",
+                f"'{'.'.join(own_place)}' is not an FMU ({_plain(element.get('type', kind))})",
                 entries.file,
             )
-        elif own in description.sources:
-            raise InputError(f"there are two components '{'.'.join(own)}'", entries.file)
+        elif own_place in description.sources:
+            raise InputError(f"there are two components '{'.'.join(own_place)}'", entries.file)
         else:
-            description.sources[own] = str(element.get("source"))
-            _bindings(entries, element, own, description)
+            description.sources[own_place] = str(element.get("source"))
+            _bindings(entries, element, own_place, description)
     for element in system.iterfind("ssd:Connections/ssd:Connection", NAMESPACES):
         description.wires.append(_wire(entries, element, place))
 
@@ -123,8 +123,8 @@ def _bindings(entries: SspEntries, element: Any, place: Place, description: Desc
         else:
             sets = binding.findall("ssd:ParameterValues/ssv:ParameterSet", NAMESPACES)
         prefix = binding.get("prefix", "")
-        for one in sets:
-            for parameter in one.iterfind("ssv:Parameters/ssv:Parameter", NAMESPACES):
+        for parameter_set in sets:
+            for parameter in parameter_set.iterfind("ssv:Parameters/ssv:Parameter", NAMESPACES):
                 name, value = prefix + parameter.get("name"), _value(entries, parameter)
                 for target, transformation in (
                     [(name, None)] if mapping is None else mapping.get(name, [])
@@ -175,7 +175,7 @@ def _plain(text: str) -> str:
 
 def _value(entries: SspEntries, parameter: Any) -> Setting:
     kinds = (parameter.find(f"ssv:{kind}", NAMESPACES) for kind in ("Real", "Float64", "Float32"))
-    real = next((one for one in kinds if one is not None), None)
+    real = next((kind_element for kind_element in kinds if kind_element is not None), None)
     try:
         value = math.nan if real is None else float(real.get("value"))
     except ValueError:  # SSP 2.0: several, of an array

@@ -40,13 +40,13 @@ class Archive:
     stop_time: float | None
 
 
-def read_ssp(file: Path, folder: Path, made: Callable[[str, Path], CoupledFmu]) -> Archive:
+def read_ssp(file: Path, folder: Path, fmu_of: Callable[[str, Path], CoupledFmu]) -> Archive:
     """Reads an archive.
 
     Args:
         file: the ``.ssp``.
         folder: where its FMUs are unpacked.
-        made: the component of a name and an FMU's file.
+        fmu_of: returns the component of a name and an FMU's file.
 
     Raises:
         InputError: no archive of SSP 1.0 or 2.0, or one with parts that are not FMUs.
@@ -54,7 +54,7 @@ def read_ssp(file: Path, folder: Path, made: Callable[[str, Path], CoupledFmu]) 
     try:
         with zipfile.ZipFile(file) as archive:
             description = description_of(SspEntries(archive, file))
-            parts = _unpacked(SspEntries(archive, file), description, folder, made)
+            parts = _unpacked(SspEntries(archive, file), description, folder, fmu_of)
     except (OSError, *DAMAGED) as problem:
         raise InputError(f"this is not an SSP archive: {problem}", file) from problem
     names = {place: _name(place) for place in description.sources}
@@ -74,7 +74,7 @@ def _unpacked(
     entries: SspEntries,
     description: Description,
     folder: Path,
-    made: Callable[[str, Path], CoupledFmu],
+    fmu_of: Callable[[str, Path], CoupledFmu],
 ) -> dict[str, CoupledFmu]:
     parts: dict[str, CoupledFmu] = {}
     files: dict[str, Path] = {}
@@ -86,7 +86,7 @@ def _unpacked(
             files[source] = folder / f"component-{number}.fmu"
             files[source].write_bytes(entries.read(source, f"component '{name}'"))
         try:
-            parts[name] = made(name, files[source])
+            parts[name] = fmu_of(name, files[source])
         except InputError as problem:
             raise InputError(
                 f"component '{name}' ({source}): {problem.message}", entries.file
@@ -96,7 +96,7 @@ def _unpacked(
 
 def _name(place: Place) -> str:
     """A component's name without dots, which separate it from its variables."""
-    return "_".join(re.sub(r"[^A-Za-z0-9_-]", "_", one) for one in place)
+    return "_".join(re.sub(r"[^A-Za-z0-9_-]", "_", part) for part in place)
 
 
 def _connections(
@@ -134,8 +134,8 @@ def _joined(
 ) -> Connection:
     if not all(wire.convert for wire in chain):
         parts = {name: _unitless(part) for name, part in parts.items()}
-    whole = joined(source, target, parts)
-    factor, offset = whole.factor, whole.offset
+    connection = joined(source, target, parts)
+    factor, offset = connection.factor, connection.offset
     for wire in reversed(chain):
         factor, offset = wire.factor * factor, wire.factor * offset + wire.offset
     return Connection(source, target, factor, offset)
@@ -166,7 +166,7 @@ def _placed(
 ) -> Iterator[tuple[Place, str, Setting]]:
     """Parameter values by component; one of a system begins with the names of the elements inside it."""
     values: dict[tuple[Place, str], Setting] = {}
-    outermost_last = sorted(description.values, key=lambda one: -len(one[0]))  # it wins
+    outermost_last = sorted(description.values, key=lambda entry: -len(entry[0]))  # it wins
     for place, name, value in outermost_last:
         driven = _driven(description, (place, name))
         values |= dict.fromkeys(driven, value)
@@ -186,14 +186,14 @@ def _placed(
 def _driven(description: Description, connector: tuple[Place, str]) -> list[tuple[Place, str]]:
     """The inputs of components that a connector of a system drives, through the borders of systems."""
     reached = [connector]
-    for one in reached:
-        if one[0] in description.systems:
-            wires = [w for w in description.wires if w.start == one]
+    for port in reached:
+        if port[0] in description.systems:
+            wires = [w for w in description.wires if w.start == port]
             ends = [w.end for w in wires if (w.factor, w.offset) == (1.0, 0.0)]
             reached += [end for end in dict.fromkeys(ends) if end not in reached]
-    return [one for one in reached if one[0] not in description.systems]
+    return [port for port in reached if port[0] not in description.systems]
 
 
 def _elements_of(place: Place, places: Iterable[Place]) -> list[Place]:
     """The elements that stand in a system, without those of the systems in it."""
-    return [one for one in places if one and one[:-1] == place]
+    return [p for p in places if p and p[:-1] == place]

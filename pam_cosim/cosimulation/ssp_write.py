@@ -54,10 +54,10 @@ def write_ssp(
     ports = _ports(system, parts) if connectors else {}
     ends = {end for _, end, _ in ports.values()}
     values = {
-        name: {n: value for n, value in some.items() if Port(name, n) not in ends}
-        for name, some in system.values.items()
+        name: {n: value for n, value in values_of_part.items() if Port(name, n) not in ends}
+        for name, values_of_part in system.values.items()
     }
-    values = {name: some for name, some in values.items() if some}
+    values = {name: values_of_part for name, values_of_part in values.items() if values_of_part}
     stop = system.stop_time or max(p.interface.stop_time for p in parts.values())
     files = {DESCRIPTION: _description(system, parts, ports, values, stop, version)}
     for name, part in parts.items():
@@ -85,17 +85,17 @@ _Ports = Mapping[str, tuple[str, Port, Variable]]
 
 def _ports(system: System, parts: Mapping[str, CoupledFmu]) -> _Ports:
     """Connectors of the system by name, with their kinds: inputs that are not connected, and all outputs."""
-    found = [
+    entries = [
         ("input", Port(*name.split(".", 1)), variable) for name, variable in system.inputs.items()
     ]
     for name, part in parts.items():
-        found += [("output", Port(name, n), v) for n, v in part.interface.outputs.items()]
-    single = [_identifier(end.variable) for _, end, _ in found]
+        entries += [("output", Port(name, n), v) for n, v in part.interface.outputs.items()]
+    single = [_identifier(end.variable) for _, end, _ in entries]
     names = [
         name if single.count(name) == 1 else f"{_identifier(end.component)}_{name}"
-        for name, (_, end, _) in zip(single, found, strict=True)
+        for name, (_, end, _) in zip(single, entries, strict=True)
     ]
-    return dict(zip(names, found, strict=True))
+    return dict(zip(names, entries, strict=True))
 
 
 def _identifier(text: str) -> str:
@@ -136,20 +136,23 @@ def _description(
         source = {"source": f"resources/{name}.fmu", "type": FMU_TYPE}
         about = {"name": name, **source, "implementation": "CoSimulation"}
         component = Xml.SubElement(elements, tag("ssd", "Component"), about)
-        own = [("input", n, v) for n, v in part.interface.inputs.items()]
-        own += [("output", n, v) for n, v in part.interface.outputs.items()]
-        _connectors(component, own)
+        connectors = [("input", n, v) for n, v in part.interface.inputs.items()]
+        connectors += [("output", n, v) for n, v in part.interface.outputs.items()]
+        _connectors(component, connectors)
         corner = _GAP + number * (_WIDTH + _GAP)
         _box(component, "ElementGeometry", corner, corner + _WIDTH)
         if name in values:
             _bound(component, f"resources/{name}.ssv")
     connections = Xml.SubElement(top, tag("ssd", "Connections"))
-    for one in system.connections:
-        element = _wire(connections, one.source, one.target)
-        plain = joined(one.source, one.target, parts)
-        if (plain.factor, plain.offset) != (one.factor, one.offset):  # more than a conversion
+    for connection in system.connections:
+        element = _wire(connections, connection.source, connection.target)
+        plain = joined(connection.source, connection.target, parts)
+        if (plain.factor, plain.offset) != (
+            connection.factor,
+            connection.offset,
+        ):  # more than a conversion
             element.set("suppressUnitConversion", "true")
-            numbers = {"factor": repr(one.factor), "offset": repr(one.offset)}
+            numbers = {"factor": repr(connection.factor), "offset": repr(connection.offset)}
             Xml.SubElement(element, tag("ssc", "LinearTransformation"), numbers)
     for name, (kind, end, _) in ports.items():
         border = Port("", name)
@@ -179,8 +182,8 @@ def _wire(connections: Xml.Element, source: Port, target: Port) -> Xml.Element:
     return Xml.SubElement(connections, tag("ssd", "Connection"), named)
 
 
-def _box(element: Xml.Element, name: str, left: float, right: float) -> None:
-    corners = {"x1": left, "y1": 0.0, "x2": right, "y2": _HEIGHT}
+def _box(element: Xml.Element, name: str, x1: float, x2: float) -> None:
+    corners = {"x1": x1, "y1": 0.0, "x2": x2, "y2": _HEIGHT}
     Xml.SubElement(element, tag("ssd", name), {key: repr(float(x)) for key, x in corners.items()})
 
 

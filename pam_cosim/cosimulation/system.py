@@ -123,9 +123,12 @@ class System(Printed):
         groups: dict[str, dict[str, Variable]] = {"outputs": {}, "parameters": {}, "locals": {}}
         for name, component in self.components.items():
             for group, variables in groups.items():
-                some: Mapping[str, Variable] = getattr(component.interface, group)
+                group_variables: Mapping[str, Variable] = getattr(component.interface, group)
                 variables.update(
-                    {f"{name}.{n}": replace(v, name=f"{name}.{n}") for n, v in some.items()}
+                    {
+                        f"{name}.{n}": replace(v, name=f"{name}.{n}")
+                        for n, v in group_variables.items()
+                    }
                 )
         inputs = {name: replace(variable, name=name) for name, variable in self.inputs.items()}
         return Interface(
@@ -144,9 +147,9 @@ class System(Printed):
         """
         for name in parameters:
             settable(name, self.interface)
-        values = {name: dict(some) for name, some in self.values.items()}
-        for component, some in couple_values(parameters, self.components).items():
-            values[component] = values.get(component, {}) | some
+        values = {name: dict(values_of_part) for name, values_of_part in self.values.items()}
+        for component, values_of_part in couple_values(parameters, self.components).items():
+            values[component] = values.get(component, {}) | values_of_part
         return replace(self, values=values)
 
     def sampling(self, samples: Mapping[str, float | str]) -> System:
@@ -159,9 +162,9 @@ class System(Printed):
         for name, interval in samples.items():
             part = components.get(name)
             if not isinstance(part, CoupledFmu):
-                known = [n for n, c in components.items() if isinstance(c, CoupledFmu)]
+                fmu_names = [n for n, c in components.items() if isinstance(c, CoupledFmu)]
                 raise InputError(
-                    f"there is no FMU '{name}' in the system; {did_you_mean(name, known)}"
+                    f"there is no FMU '{name}' in the system; {did_you_mean(name, fmu_names)}"
                 )
             components[name] = replace(part, seconds=positive_seconds(interval))
         return replace(self, components=components)
@@ -265,8 +268,10 @@ class System(Printed):
             return _time("stop time", stop_time)
         if inputs is not None and inputs.time[-1] > 0:
             return float(inputs.time[-1])
-        own = [c.interface.stop_time for c in self.components.values() if isinstance(c, CoupledFmu)]
-        return self.stop_time or max(own)
+        stop_times = [
+            c.interface.stop_time for c in self.components.values() if isinstance(c, CoupledFmu)
+        ]
+        return self.stop_time or max(stop_times)
 
     @contextlib.contextmanager
     def _running(self, tolerance: float | None) -> Iterator[dict[str, Stepper]]:
@@ -289,14 +294,14 @@ class System(Printed):
         return IsolatedSimulator(part.path, self.timeout) if part.foreign else Simulator(part.path)
 
     def _observed(self, name: str) -> Port:
-        one = port(name, self.components)
-        interface = self.components[one.component].interface
-        known = interface.variables
-        if one.variable not in known:
+        end = port(name, self.components)
+        interface = self.components[end.component].interface
+        variables = interface.variables
+        if end.variable not in variables:
             raise InputError(
-                f"{interface.model} has no variable '{one.variable}'; {did_you_mean(one.variable, known)}"
+                f"{interface.model} has no variable '{end.variable}'; {did_you_mean(end.variable, variables)}"
             )
-        return one
+        return end
 
     def _check_inputs(self, inputs: Inputs | None) -> None:
         for name in inputs.values if inputs is not None else ():
@@ -323,8 +328,8 @@ class System(Printed):
             for name, part in self.components.items()
             for n, v in part.interface.outputs.items()
         }
-        for one in observed:
-            units[str(one)] = self.components[one.component].interface.variables[one.variable].unit
+        for end in observed:
+            units[str(end)] = self.components[end.component].interface.variables[end.variable].unit
         units.update(
             {name: self.inputs[name].unit for name in (inputs.values if inputs is not None else ())}
         )
@@ -346,11 +351,11 @@ def couple_values(
     """
     values: dict[str, dict[str, float]] = {}
     for name, value in parameters.items():
-        one = port(name, components)
-        if isinstance(components[one.component], Controller):
+        end = port(name, components)
+        if isinstance(components[end.component], Controller):
             raise InputError(f"'{name}': a controller's inputs come from connections or over time")
-        variable = settable(one.variable, components[one.component].interface)
-        values.setdefault(one.component, {})[one.variable] = value_of(value, variable)
+        variable = settable(end.variable, components[end.component].interface)
+        values.setdefault(end.component, {})[end.variable] = value_of(value, variable)
     return values
 
 
@@ -364,9 +369,9 @@ def _time(what: str, value: float | str) -> float:
     return length
 
 
-def _choice(what: str, value: str, known: Sequence[str]) -> None:
-    if value not in known:
-        raise InputError(f"unknown {what} {shown(value)}; {did_you_mean(str(value), known)}")
+def _choice(what: str, value: str, choices: Sequence[str]) -> None:
+    if value not in choices:
+        raise InputError(f"unknown {what} {shown(value)}; {did_you_mean(str(value), choices)}")
 
 
 def _run(

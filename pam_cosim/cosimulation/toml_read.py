@@ -84,7 +84,7 @@ def read_toml(file: Path) -> Written:
         raise InputError("name the components under [components]: NAME = 'MODEL'", file)
     if not isinstance(title, str) or not title.isprintable():
         raise wrong("the title must be one line of text that can be printed", "title")
-    if not isinstance(connections, list) or not all(isinstance(one, str) for one in connections):
+    if not isinstance(connections, list) or not all(isinstance(c, str) for c in connections):
         raise wrong(
             "connections must be a list of 'a.output -> b.input', above the tables", "connections"
         )
@@ -144,6 +144,6 @@ def _model(model: str, file: Path, wrong: Any) -> str:
         raise wrong(f"{shown(model)} must lie in the folder of this file")
     path_in_folder = file.parent / Path(*path.parts)
     if not path_in_folder.is_file():
-        others = listed(sorted(p.name for p in file.parent.iterdir() if p.suffix in _FILES))
-        raise wrong(f"there is no file {shown(model)}; in the folder: {others}")
+        file_names = listed(sorted(p.name for p in file.parent.iterdir() if p.suffix in _FILES))
+        raise wrong(f"there is no file {shown(model)}; in the folder: {file_names}")
     return str(path_in_folder)
