@@ -192,9 +192,9 @@ class _Filter:
         expected = slope @ self.covariance @ slope.T + noise
         gain = np.linalg.solve(expected, slope @ self.covariance).T
         self.mean = self.mean + gain @ innovation
-        rest = np.eye(len(self.mean)) - gain @ slope
+        complement = np.eye(len(self.mean)) - gain @ slope
         self.covariance = (
-            rest @ self.covariance @ rest.T + gain @ noise @ gain.T
+            complement @ self.covariance @ complement.T + gain @ noise @ gain.T
         )  # Joseph: stays a covariance
         normalised[seen] = innovation / np.sqrt(np.diag(expected))
         self._go(time, known_inputs)
@@ -225,9 +225,9 @@ def transition(slope: Array, power: Array, step: float) -> tuple[Array, Array]:
     size = float(np.linalg.norm(slope, 1)) * step
     doublings = max(0, int(np.ceil(np.log2(max(size, _SMALL) / _SMALL))))
     part, n = step / 2**doublings, len(slope)
-    both = block_diag(-slope, slope.T)
-    both[:n, n:] = power
-    exponential = expm(both * part)
+    blocks = block_diag(-slope, slope.T)
+    blocks[:n, n:] = power
+    exponential = expm(blocks * part)
     over = exponential[n:, n:].T
     added = over @ exponential[:n, n:]
     for _ in range(doublings):

@@ -134,8 +134,8 @@ class LinearModel(Printed, Exported):
     def step(self, times: Sequence[float] | Array) -> Array:
         """(k, p, m) outputs at times (k,) [s] after each input alone stepped by one of its units; exact."""
         n, m = self.B.shape
-        both = np.block([[self.A, self.B], [np.zeros((m, n + m))]])
-        responses = [expm(both * t)[:n, n:] for t in np.asarray(times, dtype=float)]
+        augmented = np.block([[self.A, self.B], [np.zeros((m, n + m))]])
+        responses = [expm(augmented * t)[:n, n:] for t in np.asarray(times, dtype=float)]
         return np.array([self.C @ step_response + self.D for step_response in responses])
 
     def select(

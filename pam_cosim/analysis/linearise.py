@@ -21,14 +21,14 @@ def linearise_at(
     model: ExchangeModel,
     parameters: Mapping[str, float],
     conditions: Mapping[str, float],
-    rest: bool,
+    at_rest: bool,
     free: Sequence[str],
     outputs: Sequence[str] | None,
 ) -> LinearModel:
     """The linear model at a given state, or at a rest; see ``go_to_state`` and ``go_to_rest``."""
     model.restart(parameters)
-    how = go_to_rest(model, conditions, free) if rest else go_to_state(model, conditions)
-    return linear_model(model, outputs, REST if rest else GIVEN, how, parameters)
+    how = go_to_rest(model, conditions, free) if at_rest else go_to_state(model, conditions)
+    return linear_model(model, outputs, REST if at_rest else GIVEN, how, parameters)
 
 
 def linearise_run(

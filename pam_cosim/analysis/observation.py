@@ -198,6 +198,6 @@ class Observation(Printed, Exported):
 
 def _neighbours(values: Array) -> float:
     earlier, later = values[:-1], values[1:]
-    both = np.isfinite(earlier) & np.isfinite(later)
+    is_pair = np.isfinite(earlier) & np.isfinite(later)
     size = float(np.sum(values[np.isfinite(values)] ** 2))
-    return float(np.sum(earlier[both] * later[both]) / size) if size > 0 else float("nan")
+    return float(np.sum(earlier[is_pair] * later[is_pair]) / size) if size > 0 else float("nan")

@@ -71,13 +71,13 @@ def respond(
         linear,
         sines,
     )
-    rest, held = (
+    equilibrium, held = (
         np.array(list(linear.point.states.values())),
         np.array(list(linear.point.inputs.values())),
     )
     answers = []
     for i, frequency in enumerate(sines.frequencies):
-        answers.append(_swing(model, linear, rest, held, at, frequency, sines))
+        answers.append(_swing(model, linear, equilibrium, held, at, frequency, sines))
         if progress is not None:
             progress(i + 1, len(sines.frequencies))
     return _collected(answers, sines, linear.model, linear.units, linear.select([sines.input]))
@@ -98,7 +98,7 @@ def check_range(low: float | None, high: float | None, linear: LinearModel, sine
 def _swing(
     model: ExchangeModel,
     linear: LinearModel,
-    rest: Array,
+    equilibrium: Array,
     held: Array,
     at: int,
     frequency: float,
@@ -111,13 +111,13 @@ def _swing(
     def inputs(t: float) -> Array:
         return np.asarray(held + unit * np.sin(omega * t))
 
-    begin = rest
-    if len(rest):
+    begin = equilibrium
+    if len(equilibrium):
         # of a sine, the state at phase zero is the imaginary part
         cycle = np.linalg.solve(
-            1j * omega * np.eye(len(rest)) - linear.A, linear.B[:, at] * sines.amplitude
+            1j * omega * np.eye(len(equilibrium)) - linear.A, linear.B[:, at] * sines.amplitude
         )
-        begin = rest + cycle.imag
+        begin = equilibrium + cycle.imag
     ahead, periods, spectrum = begin, 0, None
     mean = np.array([linear.point.outputs[name] for name in sines.outputs])
     while True:
