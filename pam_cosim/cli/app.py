@@ -86,8 +86,8 @@ def _coerce(complete: Callable[[], Any], value: Any, param: Any, ctx: Any) -> An
         or kind is Path
         and all(os.access(t, os.R_OK) or not os.path.exists(t) for t in texts)
     ):
-        made = [*map(kind, texts)]
-        return made if many else made[0]
+        converted = [*map(kind, texts)]
+        return converted if many else converted[0]
     return complete().coerce(value, param=param, ctx=ctx)
 
 

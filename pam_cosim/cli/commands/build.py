@@ -42,7 +42,7 @@ def build(
         new_folder=True,
     )
     for model, target in targets:
-        made = study.build(
+        fmu = study.build(
             model,
             target,
             files=files or [],
@@ -50,4 +50,4 @@ def build(
             fmi=fmi,
             sensitivities=sensitivities or [],
         )
-        typer.echo(made)
+        typer.echo(fmu)

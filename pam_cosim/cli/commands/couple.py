@@ -101,9 +101,9 @@ def couple(
         pictures=[plot],
         sources=[system, inputs, *files, *_files_of(controllers)],
     )
-    made = _by_name("--controller", map(_controller, controllers))
+    controllers_by_name = _by_name("--controller", map(_controller, controllers))
     acting = _by_name("--sample", map(_sample, samples or []))
-    read = coupling.read_system(system, made, files=files, timeout=timeout)
+    read = coupling.read_system(system, controllers_by_name, files=files, timeout=timeout)
     read = read.having(parse_pairs(settings)).sampling(acting)
     input_series = read_inputs(inputs, read.interface) if inputs else None
     options: dict[str, Any] = {"method": method, "extrapolation": extrapolation, "loops": loops}

@@ -98,9 +98,9 @@ def fit(
             progress=lambda standing: status.update(f"fitting: {standing}"),
             resume=resume,
         )
-        made = None
+        profiles = None
         if profile:
-            made = study.profile(
+            profiles = study.profile(
                 problem,
                 fitted,
                 timeout=timeout,
@@ -109,14 +109,14 @@ def fit(
                 ),
             )
     typer.echo(str(fitted))
-    if made:
-        typer.echo(f"How well these data determine each parameter:\n{made}")
+    if profiles:
+        typer.echo(f"How well these data determine each parameter:\n{profiles}")
     if output:
         write_parameters(output, fitted)
     if json:
-        write_json(json, fitted.as_dict() | ({"profiles": made.as_dict()} if made else {}))
+        write_json(json, fitted.as_dict() | ({"profiles": profiles.as_dict()} if profiles else {}))
     if plot:
         reporting.plot_fit(fitted, plot, width)
-    if profile and made:
-        study.draw(made, profile, width)
+    if profile and profiles:
+        study.draw(profiles, profile, width)
     say_written(output, json, plot, profile, resume)

@@ -57,7 +57,7 @@ def new(
     files: FilesOption = None,
 ) -> None:
     """Write a data set from recordings: columns, bench, roles and noise are recognised, and guesses marked."""
-    made = study.new(
+    new_data_set = study.new(
         folder,
         recordings,
         title=title,
@@ -70,19 +70,19 @@ def new(
         roles=parse_pairs(roles),
         files=files or [],
     )
-    _tell(made)
+    _tell(new_data_set)
     say_written(folder)
 
 
-def _tell(made: NewDataSet) -> None:
-    typer.echo(made.headline)
+def _tell(new_data_set: NewDataSet) -> None:
+    typer.echo(new_data_set.headline)
     table = Table("in the files", "taken as", "why", show_lines=False)
-    for guess in made.guesses:
+    for guess in new_data_set.guesses:
         table.add_row(*map(escape, (guess.what, guess.taken_as, guess.why)))
     Console(width=None if sys.stdout.isatty() else 120).print(table)
     typer.echo("to check, and to state in experiment.toml:")
-    for line in made.to_check:
+    for line in new_data_set.to_check:
         typer.echo(f"- {line}")
     typer.echo("next:")
-    for line in made.next_commands:
+    for line in new_data_set.next_commands:
         typer.echo(f"  {line}")

@@ -102,7 +102,7 @@ def sweep(
     check_writable(partial_of(output))
     remarks.append(lambda: _kept(output))
     with progress_bar("sweep", "MofNComplete", "TimeElapsed", "TimeRemaining") as progress:
-        made = study.sweep(
+        completed_sweep = study.sweep(
             model,
             varied,
             parameters=parse_pairs(settings),
@@ -123,10 +123,10 @@ def sweep(
             progress=progress,
         )
     if plot:
-        study.draw(made, plot, width)
-    _tell(made)
+        study.draw(completed_sweep, plot, width)
+    _tell(completed_sweep)
     say_written(output, plot)
-    if len(made.failed) == len(made):
+    if len(completed_sweep.failed) == len(completed_sweep):
         raise typer.Exit(1)
 
 
@@ -139,15 +139,15 @@ def _kept(output: Path) -> str:
     )
 
 
-def _tell(made: Sweep) -> None:
-    failed = made.failed
+def _tell(completed_sweep: Sweep) -> None:
+    failed = completed_sweep.failed
     for run, reason in list(failed.items())[:_MOST_FAILURES]:
-        typer.echo(f"failed at {made.design.settings(run)}: {reason}", err=True)
+        typer.echo(f"failed at {completed_sweep.design.settings(run)}: {reason}", err=True)
     if len(failed) > _MOST_FAILURES:
         typer.echo(
             f"and {len(failed) - _MOST_FAILURES} more; the result names the reason of each",
             err=True,
         )
-    typer.echo(f"{len(made) - len(failed)} of {len(made)} runs done")
-    for line in [*look_first(made.warnings), *made.summary_lines()]:
+    typer.echo(f"{len(completed_sweep) - len(failed)} of {len(completed_sweep)} runs done")
+    for line in [*look_first(completed_sweep.warnings), *completed_sweep.summary_lines()]:
         typer.echo(line)
