@@ -68,7 +68,7 @@ class Problem(Printed):
         stated: values of all runs or of single ones beyond what the data set states [SI], by name.
         initial_states: stated or known from a verdict [SI], by "state@run".
         sources: where values come from that the data set does not state, by run and name.
-        known: what the model says of values.
+        model_values: values that the model states or was fitted with.
     """
 
     model: str
@@ -78,7 +78,7 @@ class Problem(Printed):
     stated: dict[str, float] = field(default_factory=dict)
     initial_states: dict[str, float] = field(default_factory=dict)
     sources: dict[tuple[str, str], str] = field(default_factory=dict)
-    known: ModelValues = field(default_factory=ModelValues)
+    model_values: ModelValues = field(default_factory=ModelValues)
 
     @property
     def free(self) -> tuple[Free, ...]:
@@ -133,7 +133,11 @@ class Problem(Printed):
         if is_open and all(
             free_parameter.run or is_ratio(free_parameter.name) for free_parameter in free
         ):
-            source = f"stated by {self.known.label}" if name in self.known.stated else DEFAULT
+            source = (
+                f"stated by {self.model_values.label}"
+                if name in self.model_values.stated
+                else DEFAULT
+            )
             rows.append(ParameterValue(name, variable.start or 0.0, variable.unit, source))
         return rows
 

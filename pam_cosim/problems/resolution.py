@@ -29,7 +29,7 @@ def problem(
     interface: Interface,
     files: Sequence[Path] = (),
     *,
-    known: ModelValues | None = None,
+    model_values: ModelValues | None = None,
     values: Mapping[str, Setting] | None = None,
     free: Sequence[str] | None = None,
     guesses: Mapping[str, Setting] | None = None,
@@ -44,7 +44,7 @@ def problem(
         model: that is simulated.
         interface: of the model.
         files: further Modelica files.
-        known: what the model says of values.
+        model_values: values that the model states or was fitted with.
         values: of the caller, by name: numbers [SI] or texts with a unit; "load.m@run-01" is of one run,
             "load.m/stated" a factor on what the data set states, "gas.p@run-01" an initial state. A parameter that the
             data set leaves free is held there.
@@ -57,7 +57,7 @@ def problem(
     """
     if isinstance(free, str | Mapping):
         raise InputError(f"free is a list of names, as free=['valve.C_A'], not {shown(free)}")
-    return _Resolution(data, model, interface, files, known or ModelValues()).resolved(
+    return _Resolution(data, model, interface, files, model_values or ModelValues()).resolved(
         dict(values or {}),
         None if free is None else tuple(dict.fromkeys(free)),
         dict(guesses or {}),
@@ -73,10 +73,10 @@ class _Resolution:
         model: str,
         interface: Interface,
         files: Sequence[Path],
-        known: ModelValues,
+        model_values: ModelValues,
     ) -> None:
         self.data, self.model, self.interface, self.files = data, model, interface, files
-        self.known = known
+        self.model_values = model_values
         self.runs = {run.name: run for run in data.runs}
         self.fit = dict(data.fit)
         self.stated: dict[str, float] = {}
@@ -90,7 +90,7 @@ class _Resolution:
         guesses: Mapping[str, Setting],
     ) -> Problem:
         self._earlier_fit()
-        for correction in self.known.corrections:
+        for correction in self.model_values.corrections:
             self._correct(correction)
         self._note_missing_runs()
         for named, value in resolved_values(values, self.data, self.interface):
@@ -121,19 +121,19 @@ class _Resolution:
             self.stated,
             self.initial_states,
             self.sources,
-            self.known,
+            self.model_values,
         )
 
     def _earlier_fit(self) -> None:
         """Values of the model and of an earlier fit, where the data set states none."""
-        fitted_values = resolved_values(self.known.fitted, self.data, self.interface)
+        fitted_values = resolved_values(self.model_values.fitted, self.data, self.interface)
         numbers = {str(named): value for named, value in fitted_values}
         for name, entry in self.fit.items():
             if name in numbers:
                 self.fit[name] = replace(entry, start=numbers[name])
-            elif entry.parameter in self.known.stated:
+            elif entry.parameter in self.model_values.stated:
                 self.fit[name] = replace(entry, start=None)
-        source = f"stated by {self.known.origin}"
+        source = f"stated by {self.model_values.origin}"
         for named, value in fitted_values:
             name = str(named)
             if named.ratio or named.run:
@@ -142,7 +142,10 @@ class _Resolution:
             open_runs = [run for run in self.runs.values() if named.name not in run.parameters]
             for run in self.runs.values():
                 if named.name in run.parameters:
-                    text = f"the data set states {name}, and its value is used instead of that of {self.known.origin}"
+                    text = (
+                        f"the data set states {name}, and its value is used instead of that of "
+                        f"{self.model_values.origin}"
+                    )
                     self._note(run.name, text)
             if open_runs:
                 self.stated[name] = value
@@ -151,7 +154,7 @@ class _Resolution:
 
     def _correct(self, correction: Correction) -> None:
         """A value that a verdict found, unless the data set states another one by now."""
-        source = f"corrected by the verdict in {self.known.label}"
+        source = f"corrected by the verdict in {self.model_values.label}"
         for run in self.runs.values() if not correction.run else [self.runs.get(correction.run)]:
             if run is None or correction.name not in self.interface.settable:
                 continue
@@ -169,13 +172,13 @@ class _Resolution:
         """Says that values of runs are kept which the data set does not have."""
         missing = {
             correction.run: None
-            for correction in self.known.corrections
+            for correction in self.model_values.corrections
             if correction.run not in {"", *self.runs}
         }
         if missing:
             text = (
-                f"the verdict in {self.known.label} has values of {listed(missing)}, which are no runs of the data "
-                "set: these values are not used"
+                f"the verdict in {self.model_values.label} has values of {listed(missing)}, which are no runs of the "
+                "data set: these values are not used"
             )
             self._note(next(iter(self.runs)), text)
 
@@ -185,8 +188,9 @@ class _Resolution:
             "nothing" if correction.stated is None else format_quantity(correction.stated, unit)
         )
         return (
-            f"the data set states {correction.name} = {format_quantity(stated, unit)}, and it stated {before} when the "
-            f"verdict in {self.known.label} found {format_quantity(correction.value, unit)}: the stated value is used"
+            f"the data set states {correction.name} = {format_quantity(stated, unit)}, and it stated {before} when "
+            f"the verdict in {self.model_values.label} found {format_quantity(correction.value, unit)}: "
+            "the stated value is used"
         )
 
     def _note(self, run: str, text: str) -> None:
@@ -297,9 +301,9 @@ class _Resolution:
         if named.ratio:
             for run in self.runs.values():
                 self._stated_in(run, named.name)
-        made = _bounded(named, stated, self.interface)
+        entry = _bounded(named, stated, self.interface)
         guess = guesses.get(name, stated)
-        return made if guess is None else _begun_at(made, guess)
+        return entry if guess is None else _begun_at(entry, guess)
 
     def _release(self, named: Target) -> float | None:
         """What the data set states of a parameter that is to be fitted, which counts no longer; None: nothing.
