@@ -79,10 +79,10 @@ def _feed(
     pool: Executor,
     count: int,
     say: Say,
-    known: Batch | None,
+    earlier_batch: Batch | None,
 ) -> None:
     """Hands out batches that take a part of a second each, a few ahead of what is done."""
-    remaining, size = list(runs), _size(known)
+    remaining, size = list(runs), _size(earlier_batch)
     waiting: dict[Future[Batch], list[int]] = {}
     try:
         while remaining or waiting:

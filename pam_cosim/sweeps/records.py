@@ -137,10 +137,10 @@ class Records:
 
     def output(self, i: int) -> Array:
         """(runs, times) of one output."""
-        made = np.empty((len(self), self._shape[1]))
+        values = np.empty((len(self), self._shape[1]))
         for run in range(len(self)):
-            made[run] = self.values(run)[i]
-        return made
+            values[run] = self.values(run)[i]
+        return values
 
 
 def _key(run: int) -> bytes:

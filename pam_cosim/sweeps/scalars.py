@@ -129,7 +129,7 @@ class Scalar:
 
 
 def read_scalars(
-    asked: Mapping[str, str] | Sequence[str], interface: Interface
+    scalar_texts: Mapping[str, str] | Sequence[str], interface: Interface
 ) -> tuple[Scalar, ...]:
     """Scalars from texts such as "max(T)", "time_to(p, 90 %)", by name or each under its own text.
 
@@ -137,9 +137,9 @@ def read_scalars(
         InputError: another form, an unknown function or variable, a name twice.
     """
     pairs = (
-        list(asked.items())
-        if isinstance(asked, Mapping)
-        else [(text.strip(), text) for text in asked]
+        list(scalar_texts.items())
+        if isinstance(scalar_texts, Mapping)
+        else [(text.strip(), text) for text in scalar_texts]
     )
     scalars = tuple(_read(name, text, interface) for name, text in pairs)
     for i, scalar in enumerate(scalars):

@@ -105,16 +105,16 @@ def _row(job: SweepJob, simulator: AnySimulator, run: int, varied: dict[str, flo
         name: value for name, value in varied.items() if not (job.patterns and name == INPUTS)
     }
     try:
-        made = simulator.run(
+        trajectory = simulator.run(
             job.times, parameters=job.fixed | parameters, inputs=inputs, outputs=job.read
         )
     except SimulationFailure as failure:
         return RunResult(
             run, np.full(len(job.scalars), np.nan), None, str(failure) or "the run failed"
         )
-    values = np.stack([made[name] for name in job.outputs]) if job.keep else None
-    numbers = np.array([scalar.of(made) for scalar in job.scalars])
-    return RunResult(run, numbers, values, warnings=made.warnings)
+    values = np.stack([trajectory[name] for name in job.outputs]) if job.keep else None
+    numbers = np.array([scalar.of(trajectory) for scalar in job.scalars])
+    return RunResult(run, numbers, values, warnings=trajectory.warnings)
 
 
 # The FMU of somebody else's that this process has in use: one that hangs while it is loaded is not loaded again.
