@@ -117,8 +117,8 @@ class Store:
         """The content of a record; None: there is none, or it was damaged."""
         query = "SELECT content FROM records WHERE key = ? AND digest = digest(key, content)"
         with self._readable():
-            found = self._db.execute(query, (key,)).fetchone()
-        return None if found is None else bytes(found[0])
+            row = self._db.execute(query, (key,)).fetchone()
+        return None if row is None else bytes(row[0])
 
     def items(self) -> Iterator[tuple[bytes, bytes]]:
         """All records, in the order of their keys."""

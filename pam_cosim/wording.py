@@ -30,8 +30,10 @@ def printable(text: str) -> str:
 def listed(names: Iterable[str]) -> str:
     """``a, b, c``, cut after some twenty names; "none" when there are none."""
     names = list(names)
-    rest = len(names) - _MOST_NAMES
-    return (", ".join(names[:_MOST_NAMES]) or "none") + (f" and {rest} more" if rest > 0 else "")
+    omitted = len(names) - _MOST_NAMES
+    return (", ".join(names[:_MOST_NAMES]) or "none") + (
+        f" and {omitted} more" if omitted > 0 else ""
+    )
 
 
 def enumeration(names: Iterable[str]) -> str:

@@ -178,11 +178,11 @@ class Explainer:
             run = grid.run_of_node
             slopes = model.everything(grid.time, x, grid.node_inputs, grid.node_delayed, p[run])
             outputs.append((run, grid.time, slopes.value[:, model.states :]))
-        (run, time, few), (run_of_fine, time_of_fine, many) = outputs
+        (run, time, coarse_values), (run_of_fine, time_of_fine, fine_values) = outputs
         common = np.zeros(len(time_of_fine), dtype=bool)
         for r in range(len(coarse[0].runs)):
             common[run_of_fine == r] = np.isin(time_of_fine[run_of_fine == r], time[run == r])
-        difference = (few - many[common]) / self.sigma
+        difference = (coarse_values - fine_values[common]) / self.sigma
         return bool(np.sqrt(np.mean(difference**2)) < _GRID_ERROR)
 
     def explain(

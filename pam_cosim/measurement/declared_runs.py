@@ -232,13 +232,13 @@ def _begun(interface: Interface, table: RunTable, uncut: Run, run: Run, instead:
     interval = None if resample is None else resample.above_zero("s")
     if mode is not None and run.is_static:
         raise InputError(f"{run.name} holds points at rest, which have no start", run.file)
-    piece_of_run = run if cut is None else cut_run(uncut if run.name == uncut.name else run, cut)
+    shortened_run = run if cut is None else cut_run(uncut if run.name == uncut.name else run, cut)
     ends = [
-        (piece.time[0], piece.time[-1] if table.periodic else 0.0) for piece in (run, piece_of_run)
+        (piece.time[0], piece.time[-1] if table.periodic else 0.0) for piece in (run, shortened_run)
     ]
     if interval is not None:
-        piece_of_run = resampled(piece_of_run, interval, piece_of_run.interpolation)
-    return with_start(table, interface, piece_of_run, mode, anew=ends[0] != ends[1])
+        shortened_run = resampled(shortened_run, interval, shortened_run.interpolation)
+    return with_start(table, interface, shortened_run, mode, anew=ends[0] != ends[1])
 
 
 def _curve(run: Run, points: Points, is_first: bool) -> Run:

@@ -179,8 +179,8 @@ class Interface(Printed):
         variables = self.locals | self.outputs
         return {name: variables[name] for name in self.states}
 
-    def unknown(self, name: str, role: str, known: Mapping[str, object]) -> str:
-        """Why ``name`` cannot be used in a ``role`` such as "input", for which there are the ``known`` names."""
+    def unknown(self, name: str, role: str, names: Mapping[str, object]) -> str:
+        """Why ``name`` cannot be used in a ``role`` such as "input", which has these ``names``."""
         if name in self.refused:
             return f"{shown(name)} of {self.model} cannot be used: {self.refused[name]}"
         if name in self.calculated:
@@ -189,13 +189,13 @@ class Interface(Printed):
                 "parameters, and cannot be set; set those"
             )
         roles = {"input": self.inputs, "output": self.outputs, "parameter": self.parameters}
-        for own, variables in (*roles.items(), ("variable inside", self.locals)):
-            if name in variables and own not in role:
-                article = "an" if own in ("input", "output") else "a"
-                is_set = own in ("input", "parameter") or role == "output"
+        for other_role, variables in (*roles.items(), ("variable inside", self.locals)):
+            if name in variables and other_role not in role:
+                article = "an" if other_role in ("input", "output") else "a"
+                is_set = other_role in ("input", "parameter") or role == "output"
                 end = f", and no {role}" if is_set else " and cannot be set"
-                return f"{shown(name)} is {article} {own} of {self.model}{end}"
-        hint = did_you_mean(name, known) if known else f"it has no {role}s"
+                return f"{shown(name)} is {article} {other_role} of {self.model}{end}"
+        hint = did_you_mean(name, names) if names else f"it has no {role}s"
         return f"{self.model} has no {role} {shown(name)}; {hint}"
 
 

@@ -22,9 +22,9 @@ class Text(float):
 
     def __new__(cls, text: str) -> Text:
         """Of the text itself."""
-        made = super().__new__(cls)
-        made.text = text
-        return made
+        setting = super().__new__(cls)
+        setting.text = text
+        return setting
 
     def __str__(self) -> str:
         return self.text
@@ -57,10 +57,10 @@ def settable(name: str, interface: Interface) -> Variable:
     Raises:
         InputError: nothing of that name can be set; says which name is nearest.
     """
-    known = interface.settable
-    if name not in known:
-        raise InputError(interface.unknown(name, "parameter or input", known))
-    return known[name]
+    variables = interface.settable
+    if name not in variables:
+        raise InputError(interface.unknown(name, "parameter or input", variables))
+    return variables[name]
 
 
 def value_of(value: Setting, variable: Variable) -> float:

@@ -12,9 +12,9 @@ VARIABLE = "PAM_COSIM_FMU_MEMORY"
 def _asked() -> float:
     """Bytes: what the environment says in GB, or the default."""
     with contextlib.suppress(ValueError):
-        asked = float(os.environ.get(VARIABLE, ""))
-        if 0 < asked < 1e6:
-            return asked * 1e9
+        limit = float(os.environ.get(VARIABLE, ""))
+        if 0 < limit < 1e6:
+            return limit * 1e9
     return 2e9
 
 

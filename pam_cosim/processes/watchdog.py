@@ -132,9 +132,9 @@ class Watchdog:
         deadline: float | None = None
         started = closing = busy = False
         while True:
-            left = BEAT if deadline is None else min(BEAT, max(0.0, deadline - _now()))
+            remaining_time = BEAT if deadline is None else min(BEAT, max(0.0, deadline - _now()))
             try:
-                kind, content = self.events.get(timeout=left if busy or closing else None)
+                kind, content = self.events.get(timeout=remaining_time if busy or closing else None)
             except Empty:
                 if deadline is not None and _now() >= deadline:
                     return _GONE if closing else LATE, self._doing

@@ -85,13 +85,13 @@ threading.Thread(target=watch, daemon=True).start()
 def _pool(count: int) -> Executor:
     if (elsewhere := _elsewhere.get()) is not None:
         return elsewhere
-    known = {"parent": os.getpid(), "pause": _LOOK}
+    settings = {"parent": os.getpid(), "pause": _LOOK}
     pool: Executor = get_reusable_executor(
         count,
         timeout=_IDLE,
         env=_ALONE | SAFE,
         initializer=exec,
-        initargs=(_END_WITH_PARENT, known),
+        initargs=(_END_WITH_PARENT, settings),
     )
     return pool
 
@@ -171,9 +171,9 @@ def executor_of(executor: Any) -> Iterator[tuple[Executor, int]]:
     if isinstance(executor, Executor):
         yield executor, getattr(executor, "_max_workers", None) or processors()
         return
-    client, own = executor, False
+    client, is_own = executor, False
     if isinstance(executor, str):
-        client, own = _client(executor), True
+        client, is_own = _client(executor), True
     if not hasattr(client, "get_executor"):
         raise InputError(
             "an executor of concurrent.futures is needed, a Dask client, or the address of a Dask scheduler"
@@ -182,7 +182,7 @@ def executor_of(executor: Any) -> Iterator[tuple[Executor, int]]:
         with client.get_executor(pure=False) as pool:
             yield pool, max(1, sum(client.nthreads().values()))
     finally:
-        if own:
+        if is_own:
             client.close()
 
 
