@@ -107,7 +107,7 @@ def chosen(parts: Sequence[BenchPart], role: str, name: str | None) -> BenchPart
         raise InputError(f"there is no {role} '{name}'; {hint}")
     if len(matching_parts) > 1:
         full = " or ".join(part.qualified_name for part in matching_parts)
-        raise InputError(f"'{name}' is the name of several parts: say {full}")
+        raise InputError(f"'{name}' is the name of several parts; write {full}")
     return matching_parts[0]
 
 

@@ -117,7 +117,7 @@ def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
         value = tree.constant(name, saying)
         if not isinstance(value, str) or not value:
             raise ModelError(
-                f'effect {short} must say its {saying}: extends ...({saying}="...")',
+                f'effect {short} must state its {saying}: extends ...({saying}="...")',
                 info.file,
                 info.line,
             )
@@ -181,7 +181,9 @@ def _text_entry(parameter: ComponentInfo, entry: str, kind: str, file: Path | st
     text = parameter.own_annotation[entry]
     if not isinstance(text, str):
         raise ModelError(
-            f"{entry} of {parameter.name} wants the name of {kind} in quotes", file, parameter.line
+            f"{entry} of {parameter.name} must be the name of {kind} in quotes",
+            file,
+            parameter.line,
         )
     return text
 
@@ -202,7 +204,7 @@ def _typical(parameter: ComponentInfo, file: Path | str) -> tuple[float, float]:
     numbers = parameter.own_annotation[_TYPICAL]
     if isinstance(numbers, str) or len(numbers) != 2 or not numbers[0] < numbers[1]:
         form = "two numbers in braces, the smaller one first"
-        raise ModelError(f"{_TYPICAL} of {parameter.name} wants {form}", file, parameter.line)
+        raise ModelError(f"{_TYPICAL} of {parameter.name} must be {form}", file, parameter.line)
     return numbers[0], numbers[1]
 
 

@@ -156,7 +156,7 @@ app = typer.Typer(
 @app.callback(invoke_without_command=True)
 def version(
     shown: Annotated[
-        bool, typer.Option("--version", help="Say which version this is.", is_eager=True)
+        bool, typer.Option("--version", help="Print the version.", is_eager=True)
     ] = False,
 ) -> None:
     """Compare models with measurements and find the physical effect they lack."""

@@ -329,8 +329,8 @@ def _far_off(
     )
     mended = mistake_in_reading(signal, measured, modelled, inputs)
     usual = (
-        "A wrong unit, zero or column, or a size, a load or a type that is not as stated, "
-        "come before a missing effect"
+        "Before you look for a missing effect, check the unit, the zero and the column, "
+        "and the stated size, load and type"
     )
     if mended or fitted:
         yield Doubt("far_off", signal.name, text + (mended or usual))
@@ -371,7 +371,7 @@ def _one_sided(signal: Signal, measured: Array, modelled: Array) -> Iterator[Dou
             "one_sided",
             signal.name,
             f"{signal.name}: the measurement never {least} zero, where the model goes {beyond} {most} "
-            f"({share:.0f} % of the samples): the rig cannot push there as the model can, or the sensor shows nothing",
+            f"({share:.0f} % of the samples): the rig cannot act in that direction, or the sensor does not measure it",
         )
 
 

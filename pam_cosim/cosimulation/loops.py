@@ -88,5 +88,5 @@ def refuse_loop(components: Mapping[str, Component], connections: Sequence[Conne
         )
     raise InputError(
         f"{text} Solve it at every communication point (loops='iterate', --loops iterate), take one connection a step"
-        " late (loops='delay', --loops delay), or put something that takes time into the loop, such as a filter"
+        " late (loops='delay', --loops delay), or put a component with dynamics into the loop, such as a filter"
     )

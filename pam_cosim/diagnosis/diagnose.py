@@ -466,7 +466,7 @@ def _not_tried(
                 "a limit ended the search" if family in late else "the model has no place for them"
             )
         elif family in probed - families_considered:
-            reasons[family] = f"nothing that was fitted{at_rest} shows them"
+            reasons[family] = f"no fitted signal{at_rest} shows them"
     return reasons
 
 

@@ -182,7 +182,8 @@ class Fit(Printed, Tabular):
             if abs(r) > STRONG_CORRELATION and frozenset((names[i], names[j])) not in stated:
                 way = "raised together" if r > 0 else "one raised and the other lowered"
                 sentences.append(
-                    f"{names[i]} and {names[j]} are hardly told apart: {way}, they fit alike ({r:+.3f})"
+                    f"{names[i]} and {names[j]} can hardly be separated: "
+                    f"{way}, they fit equally well (correlation {r:+.3f})"
                 )
         return tuple(sentences)
 
@@ -196,7 +197,10 @@ class Fit(Printed, Tabular):
         lines = [str(self.comparison)]
         if self.search:
             reached = self.residuals["fit"].chi2_reduced
-            lines += [str(self.search), f"  the descent from there comes to chi2 {reached:.4g}:"]
+            lines += [
+                str(self.search),
+                f"  the descent from the best start reaches chi2 {reached:.4g}:",
+            ]
         sentences_of_pairs = [f"  {c}" for c in (*self.combinations, *self.confused())]
         return "\n".join([*lines, describe(self.parameters), *sentences_of_pairs])
 

@@ -110,7 +110,7 @@ class PredictiveBands(Printed, Exported):
         lines += look_first(self.warnings)
         if effective < _LEAST_EFFECTIVE:
             lines.append(
-                f"  they say as much as {effective:.0f} of equal weight: the bands are rough; take more samples"
+                f"  the effective number of samples is {effective:.0f}, so the bands are rough; take more samples"
             )
         for name, band in self.bands.items():
             width = format_quantity(float(np.median(band.high - band.low)) / 2, band.unit, 2)

@@ -83,7 +83,7 @@ def smooth(problem: SmoothingProblem, start: Point, deadline: float = math.inf) 
     enough = _NOISE_INTENSITY_ROUNDS if len(q) else 0
     for iteration in range(_ITERATIONS):
         if time.monotonic() >= deadline:
-            raise TimeoutError("the time limit came first")
+            raise TimeoutError("the time limit was reached")
         last = iteration >= len(_FIRST_SLACKS)
         slack = SLACK if last else _FIRST_SLACKS[iteration]
         settled = before < _SETTLED or iteration >= _ITERATIONS // 2

@@ -119,7 +119,9 @@ def _renamed(table: Table, name: str, entry: ColumnTable) -> Column:
         places = {column.place or number: column for number, column in enumerate(columns, start=1)}
         if source_name not in places:
             names = ", ".join(map(str, sorted(places)))
-            message = f"{table.file.name} has no column {source_name} that is read, only {names}"
+            message = (
+                f"{table.file.name} has no column {source_name}; the columns that are read: {names}"
+            )
             raise _error(name, entry, message, "column")
         source = places[source_name]
     else:

@@ -39,7 +39,7 @@ def condensed(data: DataSet) -> tuple[DataSet, str]:
     changed = complete_noise(with_noise_of_means(stated, runs), runs)
     result = replace(data, runs=runs, signals=data.signals | changed)
     over = format_quantity(interval, "s")
-    note = f"{rows} rows are more than a search needs: it takes means over {over}"
+    note = f"{rows} rows are more than a search needs: means over {over} are used"
     return result, f'{note}; state resample = "..." under [recording] for another interval'
 
 

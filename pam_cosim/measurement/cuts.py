@@ -87,9 +87,7 @@ def cut_run(run: Run, cut: Cut) -> Run:
     )
     if last - first_row < 2 or shortened.time[0] == shortened.time[-1]:
         span = f"goes from {run.time[0]:g} to {run.time[-1]:g} s"
-        raise InputError(
-            f"{run.name} {span}: nothing would be left between {_ends(run, cut)}", run.file
-        )
+        raise InputError(f"{run.name} {span}: no samples lie between {_ends(run, cut)}", run.file)
     if not any(np.isfinite(values).any() for values in shortened.measurements.values()):
         raise InputError(f"{run.name} has no sample between {_ends(run, cut)}", run.file)
     return shortened

@@ -281,11 +281,7 @@ class DataSet(Printed):
 
     def notes(self) -> tuple[str, ...]:
         """What a reader of results from these data should know."""
-        notes = (
-            []
-            if self.holdout_runs
-            else ["no holdout run: nothing checks a fit on data it has not seen"]
-        )
+        notes = [] if self.holdout_runs else ["no holdout run: no data are left to check a fit"]
         for name, signal in self.signals.items():
             if signal.assumed:
                 notes.append(f"the noise of {name} is not known: it is assumed")

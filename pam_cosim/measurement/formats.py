@@ -36,7 +36,9 @@ def read_table(file: Path, stated: Layout | None = None) -> Table:
     """
     table = _READERS.get(file.suffix.lower(), read_text_table)(file, stated or Layout())
     if not table.columns:
-        message = "no column is read: none is of numbers, or [recording] ignore leaves them out"
+        message = (
+            "no column is read: no column holds numbers, or [recording] ignore leaves them out"
+        )
         raise InputError(message, file)
     return without_empty_end(table)
 

@@ -73,7 +73,12 @@ def points_of(
     _check_columns(table, interface)
     table = only_whole_rows(table, interface.inputs)
     imposed = {
-        name: without_gaps(table, name, interface.inputs[name], "a row must say what is imposed")
+        name: without_gaps(
+            table,
+            name,
+            interface.inputs[name],
+            "every row must have a value of each imposed column",
+        )
         for name in table.columns
         if name in interface.inputs
     }
@@ -162,9 +167,9 @@ def _branch(
     stated, column = run.branch, imposed.get(BRANCH)
     if stated is not None and BRANCH not in interface.inputs:
         message = (
-            f"{interface.model} has no input '{BRANCH}', by which friction could take a direction"
+            f"{interface.model} has no input '{BRANCH}', which gives the direction of friction"
         )
-        hint = "take a quasi-static bench, or put one together with pam-cosim bench --static"
+        hint = "use a quasi-static bench, or compose a bench with pam-cosim bench --static"
         raise run.error(f"{message}; {hint}", "branch")
     if column is not None:
         if stated is not None:
@@ -188,9 +193,7 @@ def _branch(
     driving = [name for names in by_unit.values() for name in names]
     ways, along = directions(imposed, driving, read)
     if not ways.any():
-        message = (
-            f"the rows of {table.file.name} tell no direction: no pressure, length or load changes"
-        )
+        message = f"the rows of {table.file.name} do not determine a direction: no pressure, length or load changes"
         raise run.error(message, "branch")
     return CONTRACTS[interface.inputs[along].unit] * ways
 

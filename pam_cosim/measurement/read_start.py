@@ -61,9 +61,7 @@ def _check_periodic(table: RunTable) -> None:
     for key in ("start", "before"):
         shared_counts = getattr(table, key) is not None and not table.states("periodic")
         if table.states(key) or shared_counts:
-            message = (
-                f"{key} says where the run begins, and so does periodic = true; keep one of them"
-            )
+            message = f"both {key} and periodic = true state where the run begins; keep one of them"
             raise table.error(message, key)
 
 
@@ -71,8 +69,8 @@ def _with_before(
     table: RunTable, interface: Interface, start: Start, before: Mapping[str, Stated]
 ) -> Start:
     if start.mode in ("measured", "estimated"):
-        message = f'{shown(start.mode)} begins with the first samples, and before says what led there; state "rest"'
-        raise table.error(f'{message} or "steady", as it was then', "before")
+        message = f"{shown(start.mode)} begins at the first samples, but before describes earlier times"
+        raise table.error(f'{message}; state "rest" or "steady", as it was then', "before")
     if _FOR not in before:
         raise table.error('for is missing: state how long, before = { ..., for = "5 s" }', "before")
     inputs = {name: value for name, value in before.items() if name != _FOR}
@@ -95,7 +93,7 @@ def _with_lead(table: RunTable, run: Run, start: Start) -> Run:
     early = run.time < run.time[0] + seconds
     if early.all():
         raise table.error(
-            f"{run.name} is not longer than its lead: nothing would be scored", "lead"
+            f"{run.name} is not longer than its lead: no sample would be scored", "lead"
         )
     leading = {name: (run.time[early], values[early]) for name, values in run.measurements.items()}
     scored = {name: np.where(early, np.nan, values) for name, values in run.measurements.items()}

@@ -189,7 +189,7 @@ def _check_pressure(table: Table, name: str, reference: str, of_model: str) -> N
         raise table.error(f"{statement}, those of the model are {of_model}; {hint}", name)
     hint = 'pressures = "absolute" or pressures = "gauge" at the top of experiment.toml, above all tables'
     raise table.error(
-        f"{statement}, and nothing says what those of the model are; state {hint}", name
+        f"{statement}, but the kind of the pressures of the model is not stated; state {hint}", name
     )
 
 

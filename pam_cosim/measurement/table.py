@@ -262,7 +262,10 @@ def _headed(heading: str, unit: str, file: Path) -> tuple[str, str]:
         )
     if unit and parts[1] and unit != parts[1]:
         raise InputError(
-            f"its name says {shown(parts[1])} and its unit {shown(unit)}", file, None, parts[0]
+            f"its name has the unit {shown(parts[1])}, but its unit is {shown(unit)}",
+            file,
+            None,
+            parts[0],
         )
     return parts[0], parts[1] or unit
 

@@ -93,7 +93,7 @@ def read_text_table(file: Path, stated: Layout) -> Table:
         elif unit:
             reader.units[i] = unit
             if names[i][1] not in ("", unit):
-                message = f"its heading says {shown(names[i][1])}, its cells {shown(unit)}"
+                message = f"the unit is {shown(names[i][1])} in its heading, but {shown(unit)} in its cells"
                 raise InputError(message, file, layout.header_line or None, names[i][0])
     reader.decimal = stated.decimal or decimal_sign(reader.cells(body), layout.separator, file)
     columns = {}
@@ -257,11 +257,14 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
             name = f"{name} {1 + sum(seen_name.startswith(name) for seen_name in used_names)}"
         if name in used_names:
             hint = f"; or, {other_line(line - 1)}" if line is not None and line > 1 else ""
-            message = f"this column stands twice in the header; rename one{hint}"
+            message = f"this column occurs twice in the header; rename one{hint}"
             raise InputError(message, file, line, name)
         if unit and below and unit != below:
             raise InputError(
-                f"its heading says {shown(unit)}, the row of units {shown(below)}", file, line, name
+                f"the unit is {shown(unit)} in its heading, but {shown(below)} in the row of units",
+                file,
+                line,
+                name,
             )
         used_names.add(name)
         names_and_units.append((name, unit or below))

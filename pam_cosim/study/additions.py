@@ -96,7 +96,7 @@ def _added(
     ratio = next((parameter_of(effect) for effect in fitted.effects if is_ratio(effect)), None)
     if ratio is not None and not fitted.values:
         raise InputError(
-            f"what is stated of {ratio} is no part of a model: correct it in the data set"
+            f"{ratio} corrects a stated value, which is no part of a model: correct it in the data set"
         )
     extra = sources_of(files, base)
     name = Path(output).stem if output else None

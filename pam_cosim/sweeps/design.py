@@ -115,10 +115,10 @@ def design_of(
 def _check_count(kind: str, runs: int | None, sampled: bool) -> None:
     """Raises InputError: a number of runs where the values say it, and none where they do not."""
     if sampled and runs is None:
-        raise InputError(f"the design '{kind}' says how many runs to make: give the number of runs")
+        raise InputError(f"the design '{kind}' needs a number of runs; give the number of runs")
     if not sampled and runs is not None:
         raise InputError(
-            f"the design '{kind}' makes the runs that its values say: leave out the number of runs"
+            f"the design '{kind}' takes its runs from the values; leave out the number of runs"
         )
 
 

@@ -50,7 +50,7 @@ def read_patterns(given: Any, read: Callable[[Any], Inputs | None]) -> tuple[Pat
     for name, source in pairs:
         inputs = read(source)
         if inputs is None:
-            raise InputError(f"'{INPUTS}' is varied: there is nothing in the place of '{name}'")
+            raise InputError(f"'{INPUTS}' is varied, but '{name}' has no inputs")
         patterns.append(Pattern(str(name), inputs))
     if not patterns:
         raise InputError(f"'{INPUTS}' is varied over no value at all; give one at least")

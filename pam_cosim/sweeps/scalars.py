@@ -75,7 +75,7 @@ FUNCTIONS: dict[str, _Function] = {
     "final": _Function(lambda t, y, a: float(y[-1]), "the last value"),
     "steady": _Function(
         _steady,
-        "the mean over the last part of the run, 10 % if not said",
+        "the mean over the last part of the run (default: 10 %)",
         argument=_STEADY_PART,
     ),
     "min": _Function(lambda t, y, a: float(y.min()), "the lowest value"),
@@ -85,8 +85,8 @@ FUNCTIONS: dict[str, _Function] = {
     "integral": _Function(_integral, "the integral over time", lambda unit: product(unit, "s")),
     "time_to": _Function(
         _time_to,
-        "time from the start to a part of the whole change, 90 % if not said otherwise; "
-        "none where the run has not settled",
+        "time from the start to a part of the total change (default: 90 %); none where the run has not "
+        "settled",
         _seconds,
         0.9,
     ),
@@ -182,5 +182,5 @@ def _part(number: str, text: str) -> float:
     except UnitError as problem:
         raise InputError(f"{shown(text)}: {problem}") from None
     if not 0.0 < part <= 1.0:
-        raise InputError(f"{shown(text)}: a part of the whole lies above 0 and is 1 at most")
+        raise InputError(f"{shown(text)}: a fraction must be above 0 and at most 1")
     return part

@@ -22,7 +22,7 @@ def names_of(value: Any, command: str) -> list[str]:
         or len(value) > _MOST
         or not all(isinstance(v, str) for v in value)
     ):
-        raise InputError(f"{command} wants a list of names, not {shown(value)}")
+        raise InputError(f"{command} needs a list of names, not {shown(value)}")
     return list(dict.fromkeys(value))
 
 
@@ -33,7 +33,7 @@ def text_of(value: Any, command: str) -> str:
         InputError: it is none.
     """
     if not isinstance(value, str) or not value.strip():
-        raise InputError(f"{command} wants a name, not {shown(value)}")
+        raise InputError(f"{command} needs a name, not {shown(value)}")
     return value.strip()
 
 

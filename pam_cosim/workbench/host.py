@@ -109,7 +109,7 @@ class Workbench:
             raise InputError(f"{shown(name)} needs a data set: drop recordings first")
         wishes = command.get("wishes") or {}
         if not isinstance(wishes, Mapping):
-            raise InputError("wishes are texts by name")
+            raise InputError("wishes must map names to texts")
         if name == "remove":
             self.windows.tell(drop.remove(command.get("names") or []))
         elif name == "draft":

@@ -143,7 +143,7 @@ class StudyWithJobs(OpenStudy):
             InputError: there is nothing to stop.
         """
         if self.job is None or self.job.held:
-            raise InputError("nothing is running that could be stopped")
+            raise InputError("no job is running to be stopped")
         if not self.worker.hold():
             self.discard()
             return
@@ -157,7 +157,7 @@ class StudyWithJobs(OpenStudy):
             InputError: there is nothing that was stopped.
         """
         if self.job is None or not self.job.held:
-            raise InputError("nothing was stopped that could go on")
+            raise InputError("no job is stopped that could continue")
         self.worker.go_on()
         self.job.held = False
         self._tell_busy(self.job)
@@ -169,7 +169,7 @@ class StudyWithJobs(OpenStudy):
             InputError: there is nothing to end.
         """
         if self.job is None:
-            raise InputError("nothing is running that could be ended")
+            raise InputError("no job is running to be ended")
         self.worker.end()
         self._over(self.job, "stopped")
         self.draw()

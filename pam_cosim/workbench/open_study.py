@@ -219,7 +219,7 @@ class OpenStudy:
         )
         if not trajectories:
             raise InputError(
-                f"{run} begins as what was before its first sample says: choose how it begins first"
+                f"the start of {run} is stated by its time before the first sample; first choose another start"
             )
         return {f"{name}@{run}": float(values[0]) for name, values in trajectories.items()}
 

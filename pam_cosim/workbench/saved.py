@@ -355,7 +355,7 @@ def load_state(folder: Path, first: State) -> State:
     target = inside(folder, FILE)
     content = read_json(target)
     if not isinstance(content, Mapping) or content.get("format") != _FORMAT:
-        raise InputError("is no study that the workbench saved", target)
+        raise InputError("is not a saved study of the workbench", target)
     try:
         return _state(
             checked_content(content, {first.model, first.data.model, first.data.bench}),

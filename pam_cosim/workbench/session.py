@@ -60,7 +60,7 @@ class Session(StudyWithJobs):
             inspect.signature(COMMANDS[name]).bind(self, **arguments)
             values = arguments.get("values", {})
             if not isinstance(values, Mapping):
-                raise InputError("set wants values by name")
+                raise InputError("set needs values by name")
             if name != "set" or not arguments.get("dragged"):
                 return self._thread.submit(self._done_as, name, arguments)
         except (TypeError, InputError) as problem:

@@ -76,5 +76,5 @@ def test_nothing_to_write_is_said_and_nothing_is_written(
     assert outcome.status == 0, outcome.err
     assert "no next experiment: no input and no parameter differs in the recordings" in outcome.out
     assert "; next.csv is not written" in outcome.out
-    assert "nothing was learned: the verdict is none_missing; term.mo is not written" in outcome.out
+    assert "no term was learned: the verdict is none_missing; term.mo is not written" in outcome.out
     assert everything(place) == before

@@ -19,7 +19,7 @@ def test_it_says_what_the_data_can_tell_and_writes_it(
     for text in (
         "free parameters:",
         "orifice.C_d",
-        "families of effects that would show",
+        "detectable families of effects",
         "what would help most:",
     ):
         assert text in result.out

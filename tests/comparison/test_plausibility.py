@@ -73,7 +73,7 @@ def test_a_number_that_is_no_reading_of_an_input_is_named(held: int, told: bool)
         (PRESSURE - 2e5, "its zero is wrong"),
         (-PRESSURE, "sign turned"),
         (PRESSURE * 3.3, "3.3 times as large: a size of the muscle"),
-        (np.random.default_rng(1).permutation(PRESSURE), "come before a missing effect"),
+        (np.random.default_rng(1).permutation(PRESSURE), "Before you look for a missing effect"),
     ],
 )
 def test_a_usual_mistake_is_named(measured: np.ndarray, words: str) -> None:

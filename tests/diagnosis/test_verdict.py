@@ -59,7 +59,7 @@ def test_a_signal_that_was_not_fitted_is_judged_too() -> None:
     off = candidate("Leak", fitted(1.0, holdout=1.0, shown={"T": 16.0}, measured=seen), "leak")
     verdict = judged(BASE, [off], [], [off], {"Leak": "leak"})
     assert verdict.off == ("T",)
-    assert "what remains of p is noise. T, compared but not fitted, is 16 K off" in verdict.reason
+    assert "the residual of p is noise. T, compared but not fitted, is 16 K off" in verdict.reason
     assert "nothing else" not in probability_sentence(replace(verdict, probability=0.7))
     near = candidate("Leak", fitted(1.0, holdout=1.0, shown={"T": 1.5}, measured=seen), "leak")
     sound = judged(BASE, [near], [], [near], {"Leak": "leak"})
@@ -81,7 +81,7 @@ def test_models_that_come_as_near_are_named_with_the_reason() -> None:
     said = meaning(verdict, Domain())
     assert (
         "Gauge would fit it as well, but misses T by far more." in said
-        and "Bends comes as near" in said
+        and "Bends fits as well" in said
     )
     assert "No effect of another family" not in said
 

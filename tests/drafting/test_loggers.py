@@ -274,7 +274,7 @@ def test_an_empty_column_of_times_makes_no_points_at_rest(tmp_path: Path, name: 
 
 def test_other_headings_may_not_stand_twice(tmp_path: Path) -> None:
     file = write(tmp_path / "a.csv", "t [s],p,p", lambda k: [TIME[k], READ[k], READ[k]])
-    with pytest.raises(InputError, match="column 'p': this column stands twice in the header"):
+    with pytest.raises(InputError, match="column 'p': this column occurs twice in the header"):
         pam.new(tmp_path / "rig", [file])
     file.write_text("X,CH1,CH2,\n" + file.read_text().replace("t [s],p,p", "t [s],p,p,"))
     with pytest.raises(InputError, match=r"rename one; .*--recording 'header_line=1'"):

@@ -66,4 +66,4 @@ def test_fit_says_which_parameters_are_hardly_told_apart() -> None:
         fit.correlation[1, 0]
     )
     close = abs(fit.correlation[0, 1]) > 0.95
-    assert bool(fit.confused()) == close == ("hardly told apart" in str(fit))
+    assert bool(fit.confused()) == close == ("hardly be separated" in str(fit))

@@ -91,8 +91,8 @@ def test_an_effect_says_of_its_parameters_what_is_known_of_them(
     [
         *((f"typical={text}", "typical of c wants two numbers in braces")
           for text in ("{2, 1}", "{1}", "0.5", "{0.5, k}", '"0.5"')),
-        ("at_min={0.5}", "at_min of c wants the name of an effect in quotes"),
-        ("above=x", "above of c wants the name of a signal in quotes"),
+        ("at_min={0.5}", "at_min of c must be the name of an effect in quotes"),
+        ("above=x", "above of c must be the name of a signal in quotes"),
         ('at_max="Nothing"', "at_max of c names Nothing, which is no effect of PneumaticMuscle"),
     ],
 )  # fmt: skip

@@ -63,8 +63,8 @@ def test_a_start_is_of_the_first_sample_that_it_was_stated_for(
     ("run", "overrides", "said"),
     [
         ('from = "1 m"', {}, "from: "),
-        ('from = "5 s"', {}, "nothing would be left between 5 and 1.9 s"),
-        ('from = "1 s"\nto = "0.5 s"', {}, "nothing would be left"),
+        ('from = "5 s"', {}, "no samples lie between 5 and 1.9 s"),
+        ('from = "1 s"\nto = "0.5 s"', {}, "no samples lie between"),
         ("to = 1.5", {}, "needs a unit"),
         ("form = 1", {}, "did you mean 'from'"),
         ("", {"cuts": {"rum": (None, 1)}}, "did you mean 'run'"),
@@ -73,7 +73,7 @@ def test_a_start_is_of_the_first_sample_that_it_was_stated_for(
         ("", {"cuts": {"run": ("soon", None)}}, "from"),
         ("", {"cuts": {"run": (float("nan"), None)}}, "finite"),
         ("", {"cuts": {"run": "0:1"}}, "a first and a last time"),
-        ("", {"cuts": {"run": (3, 4)}}, "nothing would be left"),
+        ("", {"cuts": {"run": (3, 4)}}, "no samples lie between"),
     ],
 )
 def test_what_cannot_be_cut_is_refused_in_words(

@@ -70,9 +70,9 @@ def test_a_periodic_run_is_repeated(read: Callable[..., DataSet]) -> None:
         (
             "",
             'start = "measured"\nbefore = { u = "200 mA", for = "5 s" }',
-            "begins with the first samples",
+            "begins at the first samples",
         ),
-        ("", 'lead = "20 s"', "nothing would be scored"),
+        ("", 'lead = "20 s"', "no sample would be scored"),
         ("", 'periodic = true\nstart = "rest"', "keep one of them"),
         ("", 'start = "asleep"', "'asleep' is not possible"),
         ('gaps = "jump"', "", "'jump' is not possible"),

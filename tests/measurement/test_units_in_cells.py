@@ -46,7 +46,7 @@ def test_cells_of_several_units_are_text(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("t [ms],p,x\n0 s,1,2\n1 s,2,3\n", "its heading says 'ms', its cells 's'"),
+        ("t [ms],p,x\n0 s,1,2\n1 s,2,3\n", "the unit is 'ms' in its heading, but 's' in its cells"),
         ("t,p,x\n" + "0 s,1,2\n" * 500 + "1 min,2,3\n", "'1 min' has another unit .*, 's'"),
     ],
 )

@@ -38,9 +38,9 @@ def test_each_verdict_is_said_and_explained_in_its_own_words():
     texts = {kind: checked(report(kind)).text for kind in KINDS}
     assert "These data show no missing effect" in texts["none_missing"]
     assert "The model lacks elasticity (StiffWall)." in texts["identified"]
-    assert "these data cannot tell elasticity and end shape apart" in texts["ambiguous"]
+    assert "these data cannot separate elasticity and end shape" in texts["ambiguous"]
     assert "no effect of the catalogue explains it" in texts["unknown"]
-    assert "That does not prove the model complete" in texts["none_missing"]
+    assert "That does not prove that the model is complete" in texts["none_missing"]
     assert "Do not choose one by its small lead" in texts["ambiguous"]
     assert "do not trust them as physical values" in texts["unknown"]
 

@@ -106,7 +106,7 @@ def test_the_next_run_is_ready_to_make():
     assert "To tell apart elasticity and end shape" in text
     assert "time [s] u_in [A] p_supply [kPa] 0 0.35 200 0.5 0 200 10 0 200" in text
     assert "each value holds until the next row" in text
-    assert "after either is refitted to this run as well (chi-square 1250;" in text
+    assert "after each is also refitted to this run (chi-square 1250;" in text
 
 
 def test_the_terminal_gets_the_way_the_place_the_ledger_and_the_next_run():

@@ -78,8 +78,8 @@ def test_a_run_that_has_not_settled_has_no_time() -> None:
         (["max(q)"], "Test has no variable 'q'"),
         (["max(p, 3)"], "no variable 'p, 3'"),
         (["time_to(p, 3 m)"], "3 m"),
-        (["time_to(p, 0)"], "above 0 and is 1 at most"),
-        (["time_to(p, 120 %)"], "above 0 and is 1 at most"),
+        (["time_to(p, 0)"], "above 0 and at most 1"),
+        (["time_to(p, 120 %)"], "above 0 and at most 1"),
         (["max(p)", " max(p) "], "asked for twice"),
     ],
 )

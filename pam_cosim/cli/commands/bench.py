@@ -40,7 +40,7 @@ def bench(
     static: Annotated[
         bool, typer.Option("--static", help="For points at rest and their branches.")
     ] = False,
-    listing: Annotated[bool, typer.Option("--list", help="Say what parts there are.")] = False,
+    listing: Annotated[bool, typer.Option("--list", help="List the parts.")] = False,
     files: FilesOption = None,
 ) -> None:
     """Write the bench of a rig, put together from parts, as readable Modelica."""

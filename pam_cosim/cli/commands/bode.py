@@ -34,7 +34,10 @@ def bode(
         str, typer.Option(help="FROM:TO:N [Hz], evenly in the logarithm, or A,B,C.")
     ] = "0.1:20:16",
     at: Annotated[
-        str, typer.Option(help='"rest", or values of a rest that --free inputs are solved for.')
+        str,
+        typer.Option(
+            help='"rest", or values of an equilibrium for which the --free inputs are solved.'
+        ),
     ] = "rest",
     free: Annotated[
         list[str] | None, typer.Option(help="An input whose value is solved for with the rest.")
@@ -56,7 +59,7 @@ def bode(
     check_results(json=json, tables=[output], pictures=[plot], sources=[model], files=files)
     point = parse_point([at])
     if isinstance(point, list):
-        raise InputError("a sine swings about a rest, not about a time of a run")
+        raise InputError("a frequency response is about an equilibrium, not about a time of a run")
     chosen = parse_frequencies(frequencies)
     with progress_bar("sines", "MofNComplete", "TimeElapsed") as progress:
         progress(0, len(chosen))

@@ -77,14 +77,15 @@ SetOption = Annotated[
 RoleOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--role", help="RUN=fit or RUN=holdout, other than the data set says; 'test*': these runs."
+        "--role",
+        help="RUN=fit or RUN=holdout, instead of the role in the data set; 'test*': all runs of such names.",
     ),
 ]
 CutOption = Annotated[
     list[str] | None,
     typer.Option(
         "--cut",
-        help='RUN=FROM:TO, such as run-03="2.5 s:": what is kept of it; "test*": of these runs.',
+        help='RUN=FROM:TO, such as run-03="2.5 s:": the part that is kept; "test*": of all runs of such names.',
     ),
 ]
 BeginOption = Annotated[

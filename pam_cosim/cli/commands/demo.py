@@ -21,8 +21,8 @@ from pam_cosim.files import identity, make_folder
 from pam_cosim.reporting import diagnosis_text
 from pam_cosim.study import demonstration
 
-TITLE = """Six runs of a muscle on a simulated rig. Its bladder has a spring law that the model leaves out and the
-catalogue does not know. The model is refitted, its failure is shown, and the missing effect is looked for."""
+TITLE = """Six runs of a muscle on a simulated rig. Its bladder has a spring law that neither the model nor the
+catalogue contains. The model is refitted, its error is shown, and the missing effect is searched for."""
 
 
 def demo(

@@ -53,9 +53,7 @@ def diagnose(
     ] = None,
     save: Annotated[
         Path | None,
-        typer.Option(
-            help="Save all of it, with the samples that were judged (.npz); pam.load reads it."
-        ),
+        typer.Option(help="Save the diagnosis with its samples (.npz); pam.load reads the file."),
     ] = None,
     json: JsonOption = None,
     report: ReportOption = None,
@@ -168,9 +166,7 @@ def _say_model(
         *(f"  the verdict's numbers differ: {change}" for change in changes),
     ]
     if changes:
-        lines.append(
-            "  with --save FILE.npz the samples are kept as they were judged, and compare takes that file"
-        )
+        lines.append("  --save FILE.npz keeps these samples, and compare reads that file")
     typer.echo("\n".join(lines))
 
 
@@ -206,7 +202,7 @@ def _write_learned(diagnosis: Diagnosis, learned: Path | None) -> None:
         return
     if diagnosis.learned is None:
         typer.echo(
-            f"nothing was learned: the verdict is {diagnosis.verdict.kind}; {learned} is not written"
+            f"no term was learned: the verdict is {diagnosis.verdict.kind}; {learned} is not written"
         )
     else:
         write_text(learned, diagnosis.learned.term.modelica_source)

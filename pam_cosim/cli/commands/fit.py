@@ -66,7 +66,7 @@ def fit(
     resume: Annotated[
         Path | None,
         typer.Option(
-            help="Keep every simulation here; the same command goes on where it was interrupted."
+            help="Keep every simulation in this file; the same command continues an interrupted fit."
         ),
     ] = None,
     settings: SetOption = None,

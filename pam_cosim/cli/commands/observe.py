@@ -39,13 +39,13 @@ def observe(
     unknown: Annotated[
         list[str] | None,
         typer.Option(
-            help='An input that nobody measures, "F=5 N,20 N": how uncertain at first, its change in 1 s.'
+            help='An unmeasured input, "F=5 N,20 N": its standard deviation at first, and of its change in 1 s.'
         ),
     ] = None,
     drift: Annotated[
         list[str] | None,
         typer.Option(
-            help='What the model does not know of a state in 1 s: "muscle.gas.p=0.1 kPa".'
+            help='Model error of a state, as a standard deviation in 1 s: "muscle.gas.p=0.1 kPa".'
         ),
     ] = None,
     spread: Annotated[

@@ -29,43 +29,43 @@ _KIND_NAMES = {
 }
 _MEANINGS = {
     "none_missing": (
-        "What the base model leaves looks like noise: it has no course in time that could be followed, and it is no "
-        "larger than the noise allows. That does not prove the model complete. It says that these runs, with these "
-        "instruments, could not show a further effect. Faster, larger or longer tests might."
+        "The residual of the base model looks like noise: it is uncorrelated in time and no larger than the stated "
+        "noise. That does not prove that the model is complete. These runs, with these instruments, do not show "
+        "another effect; faster, larger or longer tests may show one."
     ),
     "identified": (
-        "One explanation stands out: the added effects remove the error of what was fitted, and what remains of it is "
+        "One explanation stands out: the added effects remove the error of the fitted signals, and their residual is "
         "noise. {others} Add the effect to the model, and use the fitted parameters below within the range of {tested} "
         "that was tested."
     ),
     "ambiguous": (
         "An effect is missing, but several families explain these data about equally well. Do not choose one by its "
-        "small lead in the ranking: their predictions part elsewhere. The next experiment named below is the "
-        "one, among variations of the runs at hand, in which they differ most."
+        "small lead in the ranking: their predictions differ in other tests. The next experiment named below is the "
+        "variation of the recorded runs in which their predictions differ most."
     ),
     "unknown": (
-        "The error has a structure that no effect of the catalogue explains entirely. Effects that were added help, "
-        "but their parameters may be bent to stand in for what is missing: do not trust them as physical values. "
-        "The description of what is left says where to look."
+        "The error has a structure that no effect of the catalogue explains entirely. The added effects help, "
+        "but their parameters may compensate for the missing effect: do not trust them as physical values. "
+        "The description of the residual shows where to look."
     ),
     "remainder": (
         "One family stands out: its effect removes nearly all of the error, and no effect of another family comes "
-        "close. What remains has structure all the same, and no second effect explains it: either the family acts at "
+        "close. The residual still has structure, and no second effect explains it: either the family acts at "
         "your rig in a form that no listed law has, or a second, smaller effect is missing. Look for the family at the "
         "rig; use the fitted parameters as a description within the tested range."
     ),
     "noise": (
-        "What the base model leaves has no course in time that could be followed, but it is far larger than noise. "
+        "The residual of the base model is uncorrelated in time, but far larger than the noise. "
         "Look at the noise level of each signal, at the clock of the recorder, and at the order of the samples."
     ),
     "limits": (
-        "The noise is as large as what these runs could show of any effect: they speak neither for the model nor "
-        "against it. Faster, larger or longer tests might, and instruments with less noise."
+        "The noise is as large as any effect could be in these runs, so they cannot test the model. Make faster, "
+        "larger or longer tests, or use instruments with less noise."
     ),
 }
 _CHECKS = {
     "held_out": "",
-    "none": "No run was held out: nothing but what was fitted speaks for it.",
+    "none": "No run was held out: the answer rests on the fitted runs alone.",
     "weak": (
         "The held-out runs agree only within the parameter uncertainty of the fit, so they are a weak check."
     ),
@@ -175,7 +175,7 @@ def _reasons(v: Verdict) -> list[str]:
     removed = f"{' + '.join(v.effects)} removes {100 * v.explained:.1f} % of the squared error beyond the noise"
     apart = " and ".join(" + ".join(families) for families in v.alternatives)
     if v.kind == "none_missing":
-        return ["The residual is noise: nothing is missing that these data could show.", _limits(v)]
+        return ["The residual is noise: these data show no missing effect.", _limits(v)]
     if v.kind == "ambiguous":
         return [f"These data cannot separate {apart}."]
     if v.doubt == "noise":
@@ -186,20 +186,20 @@ def _reasons(v: Verdict) -> list[str]:
     if v.kind == "unknown" and not v.effects:
         return ["The residual has structure, and no listed effect explains it."]
     if v.kind == "unknown":
-        nor = f"Nor can these data separate {apart}, and none of them is the answer."
+        nor = f"These data cannot separate {apart} either, and none of them is the answer."
         return [
-            f"{removed}, but what remains has structure: something else is missing.",
+            f"{removed}, but the residual has structure: something else is missing.",
             nor * bool(apart),
         ]
     if v.remainder:
         return [
-            f"{removed}, and no other family comes near. What remains has structure that no second effect explains: "
+            f"{removed}, and no other family comes close. The residual has structure that no second effect explains: "
             "either the law of the family is not in the catalogue, or a second, smaller effect is missing.",
             *_cautions(v),
         ]
     fitted = f"of {listed(v.units)} " * bool(v.missed)
     return [
-        f"{removed}; what remains {fitted}is noise{_noise_excess(v)}.",
+        f"{removed}; the residual {fitted}is noise{_noise_excess(v)}.",
         *_exceptions(v),
         *_cautions(v),
     ]
@@ -242,7 +242,7 @@ def _exceptions(v: Verdict) -> list[str]:
         *(
             f"{error.signal}, compared but not fitted, is {_error(error)} off "
             f"(noise {format_quantity(error.noise, error.unit)}): "
-            "something that acts on it is missing besides, or its instrument is at fault."
+            f"another effect on {error.signal} is missing, or its instrument is at fault."
             for error in v.missed
         ),
         f"But not in every run: {far} {'are' if len(v.far) > 1 else 'is'} off." * bool(v.far),
@@ -256,7 +256,7 @@ def _error(error: SignalError) -> str:
 
 def _cautions(v: Verdict) -> list[str]:
     """What keeps an explanation from being beyond doubt."""
-    bound = f"Caution: {', '.join(v.at_bound)} ended at a bound; the model may stand in for something else."
+    bound = f"Caution: {', '.join(v.at_bound)} ended at a bound; the effect may compensate for another one."
     return [_CHECKS[v.check], bound * bool(v.at_bound)]
 
 
@@ -282,7 +282,7 @@ def _fold_sentences(v: Verdict) -> list[str]:
     return [
         f"Good to {good} on runs that were never fitted." * bool(good),
         *(sentences or [f"No effect is needed in most of {folds.count} folds of runs."]),
-        f"Not named, though it helped: {listed(dropped)}." * bool(dropped),
+        f"Helpful, but not named: {listed(dropped)}." * bool(dropped),
     ]
 
 
@@ -317,14 +317,14 @@ def headline(verdict: Verdict, domain: Domain) -> str:
     """The verdict in a sentence."""
     families, folds = enumeration(map(words, verdict.families)), verdict.folds
     if verdict.kind == "none_missing":
-        return "These data show no missing effect: what the model leaves is noise."
+        return "These data show no missing effect: the residual is noise."
     if verdict.kind == "identified":
         form = ", in a form that is open" * verdict.remainder
         return f"{_fault(verdict, domain)} ({' + '.join(verdict.effects)}){form}."
     if verdict.kind == "ambiguous":
-        return f"An effect is missing, but these data cannot tell {families} apart."
+        return f"An effect is missing, but these data cannot separate {families}."
     if verdict.doubt == "noise":
-        return f"What the model leaves is white, but {_noise_factor(verdict)}."
+        return f"The residual is white, but {_noise_factor(verdict)}."
     if verdict.doubt:
         return "These data cannot show anything."
     if not families:
@@ -356,8 +356,8 @@ def meaning(verdict: Verdict, domain: Domain) -> str:
     faults = _faults(verdict, domain)
     if faults:
         text += (
-            f" This is said of an instrument, not of the physics: {faults}. Look at the instrument, its adjustment and "
-            "its record before the model; the base model may be complete. A missing effect that shows in this one "
+            f" The fault is in an instrument, not in the physics: {faults}. Look at the instrument, its adjustment and "
+            "its record before the model; the base model may be complete. A missing effect that acts on this "
             "reading alone would look the same."
         )
     return text.replace("{tested}", domain.tested).replace("{others}", _others(verdict))
@@ -369,7 +369,7 @@ def _others(verdict: Verdict) -> str:
     sentences = [
         f"{enumeration(verdict.refuted)} would fit it as well, but misses {off} by far more."
         * bool(verdict.refuted),
-        f"{enumeration(verdict.bending)} comes as near, but only as a general form of its family."
+        f"{enumeration(verdict.bending)} fits as well, but only as a general form of its family."
         * bool(verdict.bending),
         *verdict.implausible,
     ]

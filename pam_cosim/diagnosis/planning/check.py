@@ -98,7 +98,7 @@ class Check(Printed, Plain):
 
     def __str__(self) -> str:
         lines = [
-            f"{self.model} and {self.data.title}: what these data can tell, by the model at its start values"
+            f"{self.model} and {self.data.title}: what these data determine, by the model at its start values"
         ]
         lines += look_first(self.warnings)
         lines += (
@@ -118,10 +118,10 @@ class Check(Printed, Plain):
             lines.append(
                 f"  {k.name}: {value} will be known to about ± {deviation}"
                 if k.determined
-                else f"  {k.name}: these data say less of it than its bounds do; measure it otherwise, or do not fit it"
+                else f"  {k.name}: these data determine it no better than its bounds; measure it, or do not fit it"
             )
         lines += [
-            f"  {a} and {b} are hardly told apart (correlation {r:+.3f})"
+            f"  {a} and {b} can hardly be separated (correlation {r:+.3f})"
             for a, b, r in self.identifiability.confused
         ]
         return ["free parameters:", *lines] if lines else ["no free parameter"]
@@ -139,14 +139,14 @@ class Check(Printed, Plain):
             if family not in {*visible, *hidden}
         ]
         lines = [
-            "families of effects that would show, and from where on:",
+            "detectable families of effects, and the smallest detectable values:",
             *(limit_lines or ["  none"]),
         ]
         if faint:
-            lines += ["families that would show only if they were stronger than usual:", *faint]
+            lines += ["families that are detectable only if stronger than usual:", *faint]
         if hidden:
             lines.append(
-                f"would not show, however strong, or not beside the free parameters: {listed(hidden)}"
+                f"not detectable (no effect on the signals, or masked by the free parameters): {listed(hidden)}"
             )
         failed = dict.fromkeys(c.family for c in self.failed)
         broken = [family for family in failed if family not in best]
@@ -161,9 +161,9 @@ class Check(Printed, Plain):
     def _about_confused_families(self) -> list[str]:
         if not self.identifiability.alike:
             return []
-        lines = ["families that would show, but not be told apart at their usual strength:"]
+        lines = ["families that are detectable, but cannot be separated at their usual strength:"]
         for a in self.identifiability.alike:
-            pair = f"{a.family} ({a.effect}) may be taken for {a.other_family} ({a.other})"
+            pair = f"{a.family} ({a.effect}) may be mistaken for {a.other_family} ({a.other})"
             lines.append(f"  {pair}, {_strength_range_text(a.least)}")
         return lines
 
@@ -211,7 +211,7 @@ def _benefit_text(h: Help) -> str:
     if h.shows:
         parts.append(f"shows {listed(h.shows)}")
     if h.tells_apart:
-        parts.append(f"tells apart {listed([f'{a} from {b}' for a, b in h.tells_apart])}")
+        parts.append(f"separates {listed([f'{a} from {b}' for a, b in h.tells_apart])}")
     if h.determines:
         parts.append(f"determines {listed(h.determines)}")
     if h.sharper < _SHARPENING:

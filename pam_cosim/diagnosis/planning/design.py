@@ -132,7 +132,7 @@ class _Search:
         usable = [entry for entry in scored if entry is not None]
         if not usable:
             raise SimulationFailure(
-                "no course within the limits can be simulated with every model that is left"
+                "no input trajectory within the limits can be simulated with every remaining model"
             )
         for _ in range(_IMPROVED_COURSES):
             usable.sort(key=lambda entry: -entry[0])
@@ -169,7 +169,7 @@ class _Search:
         predictions = self.rivals.predictions(run)
         if predictions is None:
             raise SimulationFailure(
-                "the best course was simulated with few samples, but not with all of them"
+                "the best input trajectory could be simulated with few samples, but not with all samples"
             )
         separations = self.rivals.separations(predictions)
         self.known = self._total(separations)

@@ -77,12 +77,10 @@ def limits_of(
     """
     runs = [run for run in data.runs if not run.is_static]
     if not runs:
-        raise InputError(
-            "points at rest have no course over time that could be planned", data.folder
-        )
+        raise InputError("a static table has no trajectory over time to plan", data.folder)
     length = _usual_length(runs) if seconds is None else seconds
     if not length > 0:
-        raise InputError("a run must last longer than nothing")
+        raise InputError("the duration of a run must be above 0 s")
     inputs, parameters, outputs = _ranges(data, runs, stated or {})
     constant = _constant_inputs(runs, inputs, stated or {}, held)
     inputs |= {n: _levels(runs, n) for n in constant if n not in (stated or {})}
@@ -140,7 +138,9 @@ def _check_limits(name: str, limits: Range, names: Sequence[str]) -> None:
     if not low <= high:
         raise InputError(f"the limits of '{name}' begin above their end")
     if name not in names:
-        raise InputError(f"there is nothing '{name}' to limit; {did_you_mean(name, list(names))}")
+        raise InputError(
+            f"there is no input, parameter or signal '{name}' to limit; {did_you_mean(name, list(names))}"
+        )
 
 
 def _usual_length(runs: Sequence[Run]) -> float:

@@ -160,7 +160,7 @@ class RunPlan(Printed, Tabular):
         return (
             f"{says[0].upper()}{says[1:]}: whichever is right, the others are expected to leave a chi-square that "
             f"is at least {least.chi2:.3g} larger after they are fitted again ({strong:g} is very strong evidence"
-            f"{self._beside}); {least.first} and {least.second} are least apart."
+            f"{self._beside}); the pair with the smallest separation is {least.first} and {least.second}."
         )
 
     @property

@@ -11,7 +11,7 @@ from pam_cosim.wording import enumeration
 
 CAUTION = (
     "This is a description, not a cause: another formula may describe the same measurement as well, and beyond the "
-    "range of states that was measured it means nothing. Use it to interpolate, and as a hint at what to look for: "
+    "measured range of states it is meaningless. Use it to interpolate, and as a hint at the missing effect: "
     "in which balance, with which variable, of which sign and size."
 )
 

@@ -39,14 +39,14 @@ def next_run(plan: NextExperiment | None) -> dict[str, Any] | None:
 def expectation(plan: NextExperiment) -> str:
     """What the run is expected to show, however the rivals bend to it."""
     text = (
-        f"{number(plan.separation)} noise standard deviations between the two, root mean square over all samples, "
-        "after either is refitted to this run as well"
+        f"{number(plan.separation)} noise standard deviations between the two (root mean square over all samples), "
+        "after each is also refitted to this run"
     )
     decisive = number(CRITERIA.evidence.very_strong, 2)
     if not plan.decides:
         return (
             f"{text}; that is not enough to decide (chi-square {number(plan.evidence)}, very strong from {decisive} "
-            "on): no variation of the runs at hand tells them apart, measure another signal"
+            "on): no variation of the recorded runs separates them, so measure another signal"
         )
     return f"{text} (chi-square {number(plan.evidence)}; {decisive} is very strong evidence)"
 
@@ -55,7 +55,7 @@ def next_run_line(plan: NextExperiment) -> str:
     """The next experiment in one line of plain text."""
     between = enumeration([words(family) for family in plan.between])
     settings = f"with {_settings(plan)}; " if plan.parameters else ""
-    return f"run {plan.run}, {plan.change}; {settings}to tell {between} apart: {expectation(plan)}"
+    return f"run {plan.run}, {plan.change}; {settings}to separate {between}: {expectation(plan)}"
 
 
 def _settings(plan: NextExperiment) -> str:

@@ -88,8 +88,8 @@ def where_picture(rules: Sequence[Rule]) -> Picture:
         return picture(
             figure,
             "Share of the error and of the samples in each part of the measurement",
-            "A long coloured bar over a short grey one: a small part of the measurement that holds much of the error. "
-            "What happens there physically is the first clue to what is missing.",
+            "A long coloured bar over a short grey one marks a small part of the measurement with much of the error. "
+            "The physics of that part is the first clue to the missing effect.",
         )
 
 

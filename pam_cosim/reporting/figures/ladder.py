@@ -149,7 +149,7 @@ def ladder_picture(rungs: Sequence[Rung], signals: Sequence[Signal]) -> Picture:
 def _caption(rungs: Sequence[Rung]) -> str:
     holdout = "holdout" in roles_of(rungs)
     if len(rungs) == 1:
-        return "Root mean square error of the base model. The dashed line is the noise: no honest model goes below it."
+        return "Root mean square error of the base model. The dashed line is the noise, the smallest error to expect."
     text = (
         "Root mean square error, from the base model to the model with all effects that were added. "
         "The dashed line is the noise: no honest model goes below it."

@@ -43,7 +43,7 @@ def residual_map(layers: Sequence[Layer], signals: Sequence[Signal]) -> Picture 
             figure,
             f"Mean residual of each signal over the plane of {across.name} and {up.name}",
             f"Mean of measured minus model in each part of the plane of modelled {across.name} and {up.name}. White: "
-            "no error on average; grey: never visited. A patch of one colour says at which states the model is wrong.",
+            "no error on average; grey: no samples. A patch of one colour says at which states the model is wrong.",
         )
 
 

@@ -22,7 +22,7 @@ def roles(study: StudyWithJobs, roles: Mapping[str, str]) -> None:
     """Sets whether runs are fitted or held out."""
     study.make_room()
     if not isinstance(roles, Mapping):
-        raise InputError("roles wants fit or holdout by run")
+        raise InputError("roles must map runs to fit or holdout")
     data = study.state.data.with_roles(roles)
     roles_of_runs = {run.name: run.role for run in data.runs}
     text = listed(
@@ -189,5 +189,5 @@ def _time(value: Any, end: str) -> float | None:
     if value is None:
         return None
     if not is_number(value) or not np.isfinite(value):
-        raise InputError(f"{end} wants a time in seconds, not {shown(value)}")
+        raise InputError(f"{end} must be a time in seconds, not {shown(value)}")
     return float(value)

@@ -35,7 +35,7 @@ def add(
     if learned:
         diagnosis = study.state.diagnosis
         if diagnosis is None or diagnosis.learned is None:
-            raise InputError("nothing was learned that could be written")
+            raise InputError("there is no learned term to write")
         term = diagnosis.learned.term
         return _written(study, _target(study, file, term.name), term.modelica_source)
     state = study.state
@@ -85,8 +85,8 @@ def save(study: StudyWithJobs) -> Json:
     file = study.folder / FILE
     if identity(file) != study.saved_file:
         raise InputError(
-            "another workbench has saved this study since it was opened: 'Load what was saved' under Study takes "
-            "that; move the file away to save this one",
+            "another workbench has saved this study since it was opened: load that study by 'Load what was saved' "
+            "under Study, or move the file away to save this one",
             file,
         )
     saved = {"file": save_state(study.state, study.folder)}
@@ -132,7 +132,7 @@ def load_at_first(study: StudyWithJobs, model_is_stated: bool) -> None:
     if model and not _is_first(study, model):
         raise InputError(
             f"the saved study is of {short_name(model)}, and was not loaded: this one was opened with "
-            f"{short_name(study.first.model)}; 'Load what was saved' under Study goes on with it"
+            f"{short_name(study.first.model)}; to continue the saved study, press 'Load what was saved' under Study"
         )
     load(study)
 

@@ -60,9 +60,7 @@ def diagnose(
     """Looks for the effect that the standing model lacks."""
     try:
         if time_limit is not None and (isinstance(time_limit, bool) or not seconds(time_limit) > 0):
-            raise InputError(
-                f"{shown(time_limit)} is no time limit: it must be longer than nothing"
-            )
+            raise InputError(f"{shown(time_limit)} is no time limit: the limit must be above 0 s")
     except UnitError as problem:
         raise InputError(f"the time limit: {problem}") from None
     options: dict[str, Any] = {

@@ -48,7 +48,7 @@ def choose(study: StudyWithJobs, model: str) -> None:
     study.make_room()
     name = text_of(model, "choose")
     if "/" in name or "\\" in name or name.startswith("."):
-        raise InputError("choose wants the name of a bench or of a Modelica class")
+        raise InputError("choose needs the name of a bench or of a Modelica class")
     state = study.state
     chosen = {key: value for key, value in state.chosen.items() if key in OF_RUNS}
     data, values = study.source.read(name, chosen)
@@ -105,7 +105,7 @@ def undo(study: StudyWithJobs, count: int = 1) -> None:
     """Takes the last steps back."""
     study.make_room()
     if not is_number(count) or not 0 < count <= len(study.past):
-        raise InputError("there is no step to take back")
+        raise InputError("there is no step to undo")
     study.back(study.past[-int(count)])
     del study.past[-int(count) :]
     study.tell_diagnosis()

@@ -84,7 +84,7 @@ def test_it_is_saved_as_the_table_that_a_rig_plays(plan: RunPlan, tmp_path: Path
         ({"limits": {"u_inn": (0, 1)}}, "did you mean 'u_in'"),
         ({"limits": {"u_in": ("0 kg", "1 kg")}}, "kg"),
         ({"limits": {"u_in": (0.0,)}}, "two values"),
-        ({"seconds": "0 s"}, "longer than nothing"),
+        ({"seconds": "0 s"}, "above 0 s"),
         ({"runs": 0}, "one run at least"),
     ],
 )
@@ -125,7 +125,7 @@ def test_the_command_writes_what_a_rig_can_play(
 @pytest.mark.parametrize(
     ("words", "said"),
     [(["--limit", "u_in=1:0"], "'u_in' begin above their end"), (["--limit", "spring=0:1"], "no 'spring' to limit"),
-     (["--seconds", "0 s"], "longer than nothing"), (["--hold", "u_inn"], "no input 'u_inn' to hold")],
+     (["--seconds", "0 s"], "above 0 s"), (["--hold", "u_inn"], "no input 'u_inn' to hold")],
 )  # fmt: skip
 def test_what_is_wrong_is_said_before_a_data_set_is_diagnosed(
     words: list[str],
