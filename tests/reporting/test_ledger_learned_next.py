@@ -119,8 +119,8 @@ def test_the_terminal_gets_the_way_the_place_the_ledger_and_the_next_run():
         (only,) = [x.strip() for x in lines if x.strip().startswith(start)]
         return only
 
-    assert line("The way there: base model ").endswith("(reduced chi-square, holdout runs)")
-    assert "→ + StiffWall" in line("The way there")
+    assert line("Step by step: base model ").endswith("(reduced chi-square, holdout runs)")
+    assert "→ + StiffWall" in line("Step by step")
     assert (
         "Where the base model is wrong: x, filling, 40 kPa < p < 120 kPa: 71 % of its error in 22 %"
         in str(lines)
@@ -130,7 +130,7 @@ def test_the_terminal_gets_the_way_the_place_the_ledger_and_the_next_run():
         "Next experiment: run run-2, load.m times 1.5; with load.m = 3.000 kg; "
     )
     quiet = diagnosis_text(make_diagnosis("none_missing"))
-    assert "Where the base model" not in quiet and "The way there" not in quiet
+    assert "Where the base model" not in quiet and "Step by step" not in quiet
 
 
 @pytest.mark.parametrize("interpolation", ["previous", "linear"])

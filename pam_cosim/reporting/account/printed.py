@@ -12,14 +12,14 @@ _MOST_RULES = 3
 
 
 def diagnosis_text(diagnosis: Diagnosis) -> str:
-    """The verdict, the way to it, where the base model is wrong, its ledger and what to do next."""
+    """The verdict, its steps, where the base model is wrong, its ledger and what to do next."""
     parts = [str(diagnosis)]
     fault = instrument_sentence(diagnosis.verdict, diagnosis.data.domain)
     if fault:
         parts.append(f"  {fault}")
     parts += [f"  note: {note}" for note in diagnosis.data.steps()]
     if diagnosis.path:
-        parts.append(f"  The way there: {_way(diagnosis)}")
+        parts.append(f"  Step by step: {_way(diagnosis)}")
     rules = (
         diagnosis.base.comparison.where[:_MOST_RULES]
         if diagnosis.verdict.kind != "none_missing"
