@@ -144,7 +144,7 @@ class FrequencyResponse(Printed, Exported):
 
 
 def phase(gain: Array) -> Array:
-    """In degrees, continuous."""
+    """Phase (k,) of complex gains (k,) over k frequencies [deg], without jumps of 360 degrees."""
     return np.asarray(np.degrees(np.unwrap(np.angle(gain))))
 
 

@@ -210,7 +210,14 @@ class _Filter:
 
 
 def carried(covariance: Array, slopes: Sequence[Array], power: Array, span: float) -> Array:
-    """A covariance after a time in which the system has these slopes, one after another at even distances."""
+    """Covariance (n, n) of the states after a time span.
+
+    Args:
+        covariance: (n, n) at the begin [SI^2].
+        slopes: (n, n) each, derivatives of the rates by the states at evenly spaced times of the span [1/s].
+        power: (n, n) power of the process noise [SI^2/s].
+        span: duration [s].
+    """
     for at_begin, at_end in zip(slopes, slopes[1:], strict=False):
         over, added = transition((at_begin + at_end) / 2, power, span / (len(slopes) - 1))
         covariance = over @ covariance @ over.T + added
@@ -218,7 +225,12 @@ def carried(covariance: Array, slopes: Sequence[Array], power: Array, span: floa
 
 
 def transition(slope: Array, power: Array, step: float) -> tuple[Array, Array]:
-    """What a linear system carries over a step, and the covariance that white noise of this power adds.
+    """Transition matrix (n, n) of a linear system over a step, and the covariance (n, n) that white noise adds.
+
+    Args:
+        slope: (n, n) derivatives of the rates by the states [1/s].
+        power: (n, n) power of the noise [SI^2/s].
+        step: duration [s].
 
     By Van Loan's exponential over a small part of the step, doubled until it is whole: stiff systems do not overflow.
     """

@@ -29,7 +29,7 @@ class Present:
         self.kept = [np.isfinite(error) for error in residuals]
 
     def of(self, values: Sequence[Array]) -> Array:
-        """What belongs to these samples, of what is given for each row of each run."""
+        """Values (samples,) at the present samples of all runs, from values (rows,) of each run."""
         return np.concatenate([v[k] for v, k in zip(values, self.kept, strict=True)])
 
     @property

@@ -293,7 +293,9 @@ class Objective:
         return _squares(residuals)
 
     def plain_residuals(self, z: Array) -> Array:
-        """As ``residuals``, simulated without slopes where no start values need them.
+        """Residuals (rows,) at search coordinates ``z`` (k,), in standard deviations, as ``residuals`` has them.
+
+        The simulation is without slopes if no start values need them.
 
         To first order the slopes by start values are those of the point that was simulated first.
         """

@@ -48,10 +48,19 @@ def estimated_starts(
     second_look: bool = True,
     state_ranges: Mapping[str, float] | None = None,
 ) -> dict[str, Estimate]:
-    """Where runs begin whose start is to be estimated, with given parameters [SI]; none where they cannot be simulated.
+    """Estimates the start values of the runs whose start is to be estimated, by "state@run" [SI].
 
-    Start values among the parameters are where the estimate begins. A second look goes by the first samples first.
-    Other runs take states as far as ``state_ranges`` [SI].
+    Args:
+        simulator: of the model.
+        data: the data set.
+        runs: those with another start are skipped.
+        values: parameters [SI]; start values among them are the initial guesses.
+        tolerance: of the solver, relative; None: the default.
+        second_look: above the noise, the search starts again with the first samples of each run.
+        state_ranges: ranges of states in other runs [SI], for the priors.
+
+    Returns:
+        the estimates; empty if the runs cannot be simulated.
     """
     chosen = [run for run in runs if run.start.mode == "estimated"]
     if not chosen:

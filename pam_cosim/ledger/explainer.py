@@ -98,13 +98,13 @@ class Explainer:
         hidden: str | None = None,
         states: tuple[Array, Array] | None = None,
     ) -> tuple[SmoothingProblem, tuple[Array, Array]]:
-        """The smoothing problem of a model, and its states over time, which are integrated where none are given.
+        """The smoothing problem of a model, and its states at nodes (N, n) and inside steps (M, n) [SI].
 
         Args:
             augmented: the model.
             unknown_inputs: those that are estimated.
             hidden: a signal whose samples are left out.
-            states: of the model without unknown inputs, where they are known.
+            states: (N, n) and (M, n) of the model without unknown inputs; None: they are integrated.
         """
         grid = self._grid(augmented)
         if hidden is not None:

@@ -69,7 +69,17 @@ def make_grid(
     spacing: float,
     extra_nodes: Sequence[Array] = (),
 ) -> Grid:
-    """Nodes at samples, no two closer than ``spacing`` [s] but at the jumps of an input; and at ``further`` times."""
+    """Nodes at the samples and jumps of the inputs of some runs.
+
+    Args:
+        ode: the model.
+        data: the data set of the runs.
+        runs: R runs.
+        values: parameters and start values by name [SI].
+        signals: S names; their samples become ``measured``.
+        spacing: smallest distance of nodes, except at jumps of an input [s].
+        extra_nodes: (k,) further times for each run [s].
+    """
     defaults = {n: v.start or 0.0 for n, v in ode.interface.parameters.items()}
     times, inputs, stages, delayed, stage_delayed, measured, parameters, starts = (
         [],

@@ -84,11 +84,25 @@ class Model:
         return value.reshape(-1), by.reshape(self.states, self.states).T
 
     def rates(self, t: Array, x: Array, u: Array, d: Array, p: Array) -> Slopes:
-        """f at K points, given by rows."""
+        """Rates of the states at K points [SI/s].
+
+        Args:
+            t: (K,) times [s].
+            x: (K, n) states [SI].
+            u: (K, U) inputs [SI].
+            d: (K, D) delayed inputs [SI].
+            p: (K, P) parameters [SI].
+
+        Returns:
+            values (K, n) and their derivatives (K, n, columns).
+        """
         return self._slopes(self._rates, self.states, t, x, u, d, p)
 
     def everything(self, t: Array, x: Array, u: Array, d: Array, p: Array) -> Slopes:
-        """f and below it h at K points, given by rows."""
+        """Rates of the states, and below them the S signals, at K points [SI].
+
+        Arguments as for ``rates``; values (K, n + S) and their derivatives (K, n + S, columns).
+        """
         return self._slopes(self._all, self.states + self.outputs, t, x, u, d, p)
 
     def variables(self, t: Array, x: Array, u: Array, d: Array, p: Array) -> dict[str, Array]:

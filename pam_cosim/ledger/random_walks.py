@@ -62,7 +62,15 @@ def deviance(
     q: Array,
     factored: CholeskyFactor | None = None,
 ) -> float:
-    """Minus twice the log marginal likelihood of the linearised problem, at its own minimum."""
+    """Minus twice the log marginal likelihood of the linearised problem, at its own minimum.
+
+    Args:
+        problem: the model and its samples.
+        linear: the problem about ``point``.
+        point: the estimate.
+        q: (m,) noise intensity of each unknown input [square of its size per s].
+        factored: the Cholesky factor with these walks, if it is known.
+    """
     factored = factored or CholeskyFactor(with_walk(problem, linear.matrix, q))
     blocks = linear.gradient + walk_gradient(problem, point, q)
     change, outer = factored.solve(blocks, linear.corner_gradient)

@@ -111,9 +111,17 @@ def additional_fault(
     sigma: float,
     free: Sequence[float],
 ) -> SensorFault:
-    """The likeliest fault of an instrument whose samples (N,) were not used to estimate its signal (N,).
+    """The most likely fault of an instrument whose samples were not used to estimate its signal.
 
-    ``deviance`` and ``chi2`` are of this signal alone; the error of the signal is neglected.
+    ``deviance`` and ``chi2`` are of this signal alone; the error of the estimated signal is neglected.
+
+    Args:
+        grid: N nodes.
+        signal: name and unit.
+        measured: (N,) samples, NaN where there is none [unit].
+        readings: (N,) estimated signal [unit].
+        sigma: standard deviation of the noise [unit].
+        free: (Q,) estimated free parameters, for the result.
     """
     is_measured = np.isfinite(measured)
     span = float(np.ptp(measured[is_measured])) or 1.0

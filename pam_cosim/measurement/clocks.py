@@ -96,9 +96,18 @@ def _newton_step(
 def merged(
     main: Recording, added: Recording, offset: float, interpolation: Interpolation
 ) -> Recording:
-    """One recording on the first one's clock: all rows of both, while both know their inputs.
+    """One recording with all rows of two, on the clock of the first, within the times at which all inputs are known.
 
-    What both have is taken from the first.
+    Columns of both files are taken from the first.
+
+    Args:
+        main: the first recording.
+        added: the second recording.
+        offset: is added to the times of the second [s].
+        interpolation: of the inputs.
+
+    Raises:
+        ClockError: the two have no time in common.
     """
     added_time = added.time + offset
     low, high = main.time[0], main.time[-1]

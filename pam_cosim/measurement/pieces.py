@@ -68,7 +68,7 @@ def usual_step(steps: Array) -> float:
 
 
 def pauses(time: Array) -> NDArray[np.intp]:
-    """Rows after which a recording pauses."""
+    """Rows (k,) of times (n,) [s] after which a recording pauses: the step is much longer than usual."""
     steps = np.diff(time)
     usual = usual_step(steps)
     return np.flatnonzero(steps > CRITERIA.starts.pause * usual) if usual else np.zeros(0, np.intp)

@@ -194,7 +194,7 @@ def _check_pressure(table: Table, name: str, reference: str, of_model: str) -> N
 
 
 def locked(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The same array, read-only."""
+    """The same array of any shape, read-only."""
     values.setflags(write=False)
     return values
 
@@ -205,7 +205,17 @@ def without_gaps(
     variable: Variable,
     rule: str = "only measured outputs may lack samples, time and inputs may not",
 ) -> NDArray[np.float64]:
-    """As ``converted``; an empty cell is an error, which ends with the ``rule``."""
+    """Values (n,) of a column without empty cells, in the unit of a variable of the bench.
+
+    Args:
+        table: the file.
+        name: the column.
+        variable: has the unit.
+        rule: end of the message about an empty cell.
+
+    Raises:
+        InputError: a cell is empty, or as for ``converted``; with the line.
+    """
     values = converted(table, name, variable)
     gaps = np.flatnonzero(np.isnan(values))
     if gaps.size:

@@ -78,7 +78,10 @@ class Signal:
     sigma_at_zero: float = 0.0
 
     def sigma_at(self, reading: Array | float) -> Array | float:
-        """Standard deviation of the noise of readings [unit]: one for each where it grows with them."""
+        """Standard deviation of the noise of readings of any shape [unit of the signal].
+
+        One value for each reading if the noise grows with the reading, else one number for all.
+        """
         if not self.sigma_of_reading:
             return self.sigma
         return np.asarray(np.hypot(self.sigma_at_zero, self.sigma_of_reading * np.asarray(reading)))

@@ -258,17 +258,18 @@ class EliminatedStarts:
         anew: Callable[[], Array],
         of_part: Callable[[Run, Mapping[str, float]], dict[str, float]],
     ) -> bool:
-        """Whether a growing part of a run leads its start values to where less is left than where a descent led them.
+        """Whether better start values are found by fits of a growing part of each run with more than noise.
 
-        The squares of a whole run have many valleys where it swings, those of its first samples have one. Asked of the
-        runs that leave more than noise. A descent that goes on from ``z`` has the better ones.
+        The squared error of a whole oscillating run has many minima, that of its first samples has one. A descent that
+        continues from ``z`` uses the better start values.
 
         Args:
-            z: the search coordinates; ``values``: the parameters there [SI].
-            residuals: there, the rows of what is known of start values beforehand last.
-            anew: simulates ``z`` again.
-            of_part: the start values by state [SI] that leave least of a part of a run, with given parameters; none
-                where it fails.
+            z: (k,) the search coordinates.
+            values: the parameters there [SI].
+            residuals: (rows,) there, in standard deviations; the rows of the priors of start values are the last.
+            anew: simulates ``z`` again and returns its residuals (rows,).
+            of_part: returns the start values by state [SI] with the smallest squared error of a part of a run, with
+                given parameters; none where the simulation fails.
         """
         before = self._squares(residuals)
         values_before = {i: values_of_run.values for i, values_of_run in self.by_run.items()}

@@ -137,7 +137,13 @@ class StartProbe:
         dependences: Array,
         values: Mapping[str, float],
     ) -> dict[str, float]:
-        """Start values of the observed states at which the signals that determine them are as measured."""
+        """Start values of the observed states at which the signals that determine them are as measured [SI].
+
+        Args:
+            observed_states: by state, the signal or rate that determines it.
+            dependences: (signals + states, states) as of ``dependences``.
+            values: initial guesses by state [SI].
+        """
         begin = self.state({})
         starts = {name: values.get(name, begin[name]) for name in observed_states}
         rows = [observed.row for observed in observed_states.values()]

@@ -40,16 +40,29 @@ def diagnose(
     start: Mapping[str, Setting] | None = None,
     parameters: Mapping[str, Setting] | None = None,
 ) -> Diagnosis:
-    """Finds the effect that ``model`` (default: the bench of the data set) lacks; see ``diagnosis.diagnose``.
+    """Finds the effect that a model lacks.
 
-    ``say`` is told each step and each result as a line of text (``print`` will do) that knows which of them it is;
-    ``progress`` is told the same as data, and the verdict and the ledger as they come: a ``diagnosis.Event`` each.
-    ``time_limit`` ([s], or with a unit) ends the search with the best verdict so far, which says what was not tried;
-    so does ``simulation_limit``, a number of simulated runs, with the same verdict however quick the machine is.
-    ``exclude`` and ``expect`` name families or effects that are known not to be missing, or that are likely, with those
-    of the data set. ``executor`` fits the models elsewhere, as that of ``sweep`` makes runs; a process of it needs this
-    package, the files at the same paths, and one thread. ``data``, ``free``, ``start`` and ``parameters`` are as for
-    ``fit``.
+    Args:
+        data: the measurement, or a problem, as for ``fit``.
+        model: default: the bench of the data set.
+        files: further Modelica files.
+        say: called with each step and each result as a line of text that has its kind; ``print`` will do.
+        progress: called with the same steps as data, and with the verdict and the ledger: ``diagnosis.Event`` objects.
+        workers: number of processes; 0: this process alone; default: by the number of cores.
+        executor: fits the models elsewhere, as for ``sweep``. A process of it needs this package, the files at the
+            same paths, and one thread.
+        explain: whether the ledger, and a formula for an unexplained residual, are computed as well.
+        time_limit: [s], or with a unit. Ends the search with the best verdict so far, which lists what was not tried.
+        simulation_limit: number of simulated runs, which ends the search with the same verdict on every machine.
+        exclude: families or effects that are known not to be missing, in addition to those of the data set.
+        expect: families or effects that are likely to be missing, in addition to those of the data set.
+        free: names of what is fitted, as for ``fit``.
+        start: initial guesses, as for ``fit``.
+        parameters: further values, as for ``fit``.
+
+    Raises:
+        InputError: an unknown model, parameter, family or effect; a limit that is not above zero.
+        SimulationFailure: the base model, or every model with an effect, cannot be simulated.
     """
     limit = _seconds(time_limit, "time limit")
     if limit is not None and not limit > 0:
@@ -82,11 +95,24 @@ def check(
     progress: Listener | None = None,
     workers: int | None = None,
 ) -> Check:
-    """What ``data`` can and cannot tell about ``model`` (default: its bench) before any fit; see ``diagnosis.check``.
+    """Predicts before any fit what a measurement determines of a model.
 
-    How exactly the free parameters will be known, which families of effects would show and from which strength on,
-    which of them would not be told apart, and which further signal or run would help most. ``parameters`` and ``free``
-    are as for ``fit``.
+    The result has the deviations of the free parameters, the families of effects that are detectable and their
+    smallest strength, the families that cannot be separated, and the further signal or run that would help most.
+
+    Args:
+        data: the measurement, or a problem, as for ``fit``.
+        model: default: the bench of the data set.
+        parameters: further values, as for ``fit``.
+        free: names of what is fitted, as for ``fit``.
+        files: further Modelica files.
+        say: called with each step as a line of text.
+        progress: called with the same steps as data.
+        workers: number of processes; 0: this process alone; default: by the number of cores.
+
+    Raises:
+        InputError: an unknown model or parameter.
+        SimulationFailure: the model cannot be simulated at its start values.
     """
     problem = as_problem(data, model, files, values=parameters, free=free)
     return _check(

@@ -31,14 +31,20 @@ def plan(
     seed: int = 0,
     say: Callable[[Message], None] = lambda message: None,
 ) -> RunPlan:
-    """Designs the run that separates the models which a verdict leaves, or that would test it; see ``planning.plan``.
+    """Designs the run that separates the models which a verdict leaves, or that tests the verdict.
 
-    ``limits`` are the lowest and the highest value, numbers in SI or texts with a unit, by name of an input, of a
-    parameter that is known beforehand (a load), or of a fitted signal, which the models must be expected to keep
-    within them. Inputs without limits stay within what the recordings span; one that kept its value through every run
-    moves only where limits are stated for it, and those of ``hold`` keep one value through a run. ``seconds`` is the
-    length of a run ([s], or with a unit), ``runs`` how many runs are designed, one after another. A problem is
-    diagnosed first.
+    Args:
+        diagnosis: or a problem, which is diagnosed first.
+        limits: the lowest and the highest value, numbers in SI or texts with a unit, by name of an input, of a
+            parameter that is known before the run (a load), or of a fitted signal; the predicted signals must lie
+            within the limits. Inputs without limits stay within the recorded range, and an input that is constant in
+            all recordings varies only within stated limits.
+        seconds: duration of a run [s], or with a unit; default: the usual duration of the recordings.
+        hold: inputs that are constant during a run.
+        runs: number of runs, which are designed one after another.
+        files: further Modelica files.
+        seed: of the random numbers.
+        say: called with each step as a line of text.
 
     Raises:
         InputError: no other model is known; limits of something unknown or with another unit; nothing to choose.

@@ -121,7 +121,17 @@ def output_times(
     stop_time: float | None = None,
     interval: float | None = None,
 ) -> np.ndarray:
-    """(n,) [s]: from the first input sample (or the model's default start) to the last (or its default stop)."""
+    """Times (n,) of the outputs [s], evenly spaced.
+
+    Args:
+        interface: has the default start, duration and interval.
+        inputs: their first sample is the start, their last the default stop time.
+        stop_time: [s]; default: that of the inputs, or the model's duration after its start.
+        interval: [s]; default: that of the model.
+
+    Raises:
+        InputError: the run does not end after its start, or has too many rows.
+    """
     start = interface.start_time if inputs is None else float(inputs.time[0])
     end = start + interface.stop_time if inputs is None else float(inputs.time[-1])
     end = end if stop_time is None else stop_time

@@ -51,7 +51,7 @@ class Design:
         return dict(zip(self.units, self.points[run].tolist(), strict=True))
 
     def labels(self, name: str, values: Array) -> Any:
-        """What stands in results for values of a name: the values, or the names of inputs over time."""
+        """Labels (n,) in results for values (n,) of a name: the values [SI], or the names of inputs over time."""
         if not (self.patterns and name == INPUTS):
             return values
         return np.array([self.patterns[int(v)].name for v in values], dtype=object)

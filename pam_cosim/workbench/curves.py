@@ -62,7 +62,7 @@ def _factor(data: DataSet, name: str) -> float:
 
 
 def shown_times(time: Array) -> Array:
-    """Times that belong to ``thinned`` values: evenly within each part."""
+    """Times [s] that belong to ``thinned`` values of times (n,): two in each part, evenly spaced."""
     parts = _parts(len(time))
     if parts is None:
         return time
@@ -71,7 +71,7 @@ def shown_times(time: Array) -> Array:
 
 
 def thinned(values: Array) -> Array:
-    """``values``, or where they are many the lowest and the highest of each part, in the order in which they came."""
+    """Values (n,) to draw: all, or the lowest and the highest of each part in their order, ``MOST_POINTS`` in all."""
     parts = _parts(len(values))
     if parts is None:
         return values
