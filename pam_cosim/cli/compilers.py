@@ -19,7 +19,7 @@ _OPTION = Annotated[
     str,
     typer.Option(
         "--compiler",
-        help="What flattens a Modelica model: own, this program; or omc of OpenModelica, where it is installed.",
+        help="Compiler that flattens a Modelica model: own (this program), or omc (OpenModelica, if it is installed).",
     ),
 ]
 

@@ -289,7 +289,7 @@ def _impossible(
         "impossible",
         signal.name,
         f"{signal.name}: {count} of {len(measured)} samples {_is(count)} below {limit}, {name}, down to {lowest}, "
-        f"first {_first_below(runs, signal.name, below)}: is it the sign, the unit, or the zero?",
+        f"first {_first_below(runs, signal.name, below)}: check the sign, the unit and the zero",
     )
 
 

@@ -75,9 +75,9 @@ def _check_abilities(network: Network, plan: StepControl) -> None:
         able, model = network.steppers[name].abilities(), network.components[name].model
         if plan.tolerance is not None and not able.saves:
             raise InputError(
-                f"component '{name}' ({model}) cannot go back: its model description does not declare "
-                "canGetAndSetFMUstate, and steps chosen by their error are taken back; use fixed steps, or let it "
-                "act at samples of its own as a controller does (samples=, [samples], --sample)"
+                f"component '{name}' ({model}) cannot repeat a step, which error-controlled steps require: its "
+                "model description does not declare canGetAndSetFMUstate; use fixed steps, or sample the component as "
+                "a controller is sampled (samples=, [samples], --sample)"
             )
         if plan.tolerance is not None and not able.any_step:
             raise InputError(

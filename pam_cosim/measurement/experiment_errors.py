@@ -71,7 +71,7 @@ def _wrong_kind(error: ErrorDetails, key_name: str | None) -> str:
         case "string_type":
             return f"{value} is not a text; put it in quotes"
         case "model_type" | "dict_type" | "model_attributes_type":
-            return f"{value} stands where a table of keys is needed"
+            return f"{value} is given, but a table of keys is needed"
         case "int_type":
             return f"{value} is not a whole number, without quotes"
         case "bool_type":
@@ -79,7 +79,7 @@ def _wrong_kind(error: ErrorDetails, key_name: str | None) -> str:
         case "greater_than_equal":
             return f"{value} is too small; the least is {error['ctx']['ge']}"
         case "list_type":
-            return f"{value} stands where a list is needed, in brackets"
+            return f"{value} is given, but a list in brackets is needed"
     return error["msg"]
 
 

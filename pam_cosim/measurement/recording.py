@@ -106,7 +106,7 @@ def with_held_values(table: Table, held: Iterable[str]) -> Table:
             continue
         if empty[0]:
             message = (
-                "the cell is empty, and no value stands above it; write the one that it had then"
+                "the cell is empty, and no row above has a value; write the value at that time"
             )
             raise table.error(message, name, 0)
         columns[name] = replace(columns[name], values=filled_forward(columns[name].values))
@@ -182,7 +182,7 @@ def _check_pressure(table: Table, name: str, reference: str, of_model: str) -> N
     if reference == of_model:
         return
     unit = table.columns[name].unit
-    statement = f"unit {shown(unit)} says that the pressure is {reference}"
+    statement = f"unit {shown(unit)} means that the pressure is {reference}"
     if of_model:
         plain = pressure_reference(unit)[0]
         hint = f'state unit = "{plain}", offset = "101.325 kPa" under [columns]'

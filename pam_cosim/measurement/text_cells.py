@@ -277,7 +277,7 @@ class Reader:
         if any(map(str.isdigit, cell)):
             return f"{shown(cell)} is not a number"
         stated = f"missing = {_as_list(cell)}"
-        return f"{shown(cell)} is not a number; where it stands for a missing sample, state {stated} under [recording]"
+        return f"{shown(cell)} is not a number; if it marks a missing sample, state {stated} under [recording]"
 
 
 def _as_list(word: str) -> str:

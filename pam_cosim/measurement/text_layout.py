@@ -137,7 +137,7 @@ def _rows_of_words(lines: list[Line], file: Path) -> InputError | None:
                     message = f"most cells of this row are no numbers, such as {shown(words[0])}"
                     hint = f"missing = {json.dumps([words[0]], ensure_ascii=False)}"
                     return InputError(
-                        f"{message}; where it stands for a missing sample, state {hint} under [recording]",
+                        f"{message}; if it marks a missing sample, state {hint} under [recording]",
                         file,
                         number,
                     )
@@ -240,6 +240,6 @@ def decimal_sign(cells: Iterable[tuple[int, str]], separator: str, file: Path) -
     if by_groups or example is None:
         return by_groups or "."
     sign = "," if "," in example[1] else "."
-    message = f"{shown(example[1])} may have decimals or be grouped by thousands, and no other number tells"
+    message = f"{shown(example[1])} may have decimals or be grouped by thousands, and no other number decides"
     hint = f'state decimal = "{sign}" under [recording], or write numbers without groups'
     raise InputError(f"{message}; {hint}", file, example[0])

@@ -284,6 +284,6 @@ def _notes(layout: TextLayout, encoding: str, decimal: str, cut: int | None) -> 
         yield f"read with {', '.join(notes)}"
     if layout.passed_over:
         rows = "the row" if layout.passed_over == 1 else f"{layout.passed_over} rows"
-        yield f"{LEFT_OUT} {rows} above the header, which stands on line {layout.header_line}"
+        yield f"{LEFT_OUT} {rows} above the header, which is on line {layout.header_line}"
     if cut is not None:
         yield f"{LEFT_OUT} the last line, {cut}, which was cut short as the recording stopped"

@@ -37,7 +37,7 @@ def _going_on(table: Table, name: str, column: Column, bits: int) -> Table:
     falls = np.diff(column.values) < 0.0
     turns = np.concatenate([[0.0], np.cumsum(falls)])
     times = "once" if falls.sum() == 1 else f"{falls.sum()} times"
-    note = f"{WRAPPED} {times}, that of {name}, which has {bits} bits: the time goes on"
+    note = f"{WRAPPED} {times}, that of {name}, which has {bits} bits: the time is continued"
     columns = {**table.columns, name: replace(column, values=column.values + 2.0**bits * turns)}
     return replace(table, columns=columns, notes=(*table.notes, note))
 

@@ -69,6 +69,6 @@ def _message(variable: Variable, values: Array, place: Callable[[int], str]) -> 
             )
             return (
                 f"{variable.name} is {value} {place(int(exceeding[0]))}, {words} value {end} that the model "
-                "allows: is it the sign, the unit, or the zero?"
+                "allows: check the sign, the unit and the zero"
             )
     return ""

@@ -98,7 +98,7 @@ def _feed(
                 say(batch.rows)
     except BrokenExecutor as problem:
         raise SimulationFailure(
-            f"a process that makes runs has ended ({problem}); the same sweep goes on"
+            f"a worker process has ended ({problem}); the same command continues the sweep"
         ) from problem
     finally:
         for future in waiting:

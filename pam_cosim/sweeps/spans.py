@@ -31,7 +31,7 @@ def values_in(text: str, name: str, variable: Variable, sampled: bool) -> list[f
 def _ends(text: str, word: str, variable: Variable) -> list[float]:
     """``FROM:TO``."""
     if text.count(":") != 1:
-        raise InputError(f"'{word}': write FROM:TO, such as 1:10; --runs says how many")
+        raise InputError(f"'{word}': write FROM:TO, such as 1:10; the number of values is --runs")
     return [value_of(part, variable) for part in alike(text.split(":"), word)]
 
 

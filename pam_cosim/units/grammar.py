@@ -213,7 +213,7 @@ def read_unit(text: str, difference: bool) -> Any:
     if reference == "absolute":
         hint = f'state unit = "{plain}", offset = "-101.325 kPa" under [columns], or {plain!r} of an ambient'
         raise UnitError(
-            f"unit {shown(text)} says that a pressure is absolute, those of models are gauge; {hint}"
+            f"unit {shown(text)} means an absolute pressure, but pressures of models are gauge; {hint}"
         )
     try:
         return _Parser(plain, difference).parse()

@@ -39,7 +39,7 @@ def test_a_pressure_below_a_vacuum_is_refused(command: Command, place: Path, ver
     outcome = command(verb, data_set(place, -1.0))
     assert outcome.status == 2
     assert "one.csv: p is -150 kPa at 3 s of one, below the least value -101 kPa" in outcome.err
-    assert "is it the sign, the unit, or the zero?" in outcome.err
+    assert "check the sign, the unit and the zero" in outcome.err
 
 
 @pytest.mark.parametrize("source", ["one.csv", "p = -150e3"])

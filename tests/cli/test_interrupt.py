@@ -129,7 +129,7 @@ def test_nothing_is_left(place: Path, measured: Path, moment: str) -> None:
     status, err = running.interrupt()
     assert status == 130
     said = [line for line in err if line.startswith("pam-cosim: ")]
-    more = "; the runs that are done are kept in out.partial: the same command goes on" * (
+    more = "; the finished runs are kept in out.partial: the same command continues" * (
         moment == "sweep"
     )
     assert said == [f"pam-cosim: interrupted; nothing was written{more}"] and err[-1] == said[0]

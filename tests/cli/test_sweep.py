@@ -55,7 +55,7 @@ def test_a_sweep_that_is_stopped_goes_on(
     _, said = running.communicate(timeout=60)
     if number == signal.SIGINT:
         assert running.returncode == 130
-        assert said.splitlines()[-1].endswith("kept in s.csv.partial: the same command goes on")
+        assert said.splitlines()[-1].endswith("kept in s.csv.partial: the same command continues")
     assert _kept(place) and not (place / "s.csv").exists()
     again = _started(place)
     out, said = again.communicate(timeout=300)

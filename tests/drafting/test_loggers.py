@@ -108,7 +108,7 @@ def test_a_set_point_that_is_logged_on_change(tmp_path: Path) -> None:
 
 def test_a_set_point_that_nothing_is_known_of_at_first(tmp_path: Path) -> None:
     file = write(tmp_path / "a.csv", "t [s],p_set [bar],p [bar],x [mm]", on_change(""))
-    with pytest.raises(InputError, match=r"a\.csv:2: column 'p_set': .* no value stands above it"):
+    with pytest.raises(InputError, match=r"a\.csv:2: column 'p_set': .* no row above has a value"):
         pam.new(tmp_path / "rig", [file])
     assert not (tmp_path / "rig").exists()
 

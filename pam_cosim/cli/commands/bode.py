@@ -44,7 +44,10 @@ def bode(
     ] = None,
     settings: SetOption = None,
     most_periods: Annotated[
-        int, typer.Option(help="Most periods at a frequency; after these it counts as not settled.")
+        int,
+        typer.Option(
+            help="Maximum number of periods at a frequency, after which it counts as not settled."
+        ),
     ] = 200,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the response as CSV.")

@@ -66,7 +66,7 @@ def diagnose(
     learned: Annotated[
         Path | None,
         typer.Option(
-            "--learned", help="Write the formula for what no effect explains as Modelica."
+            "--learned", help="Write the formula for the unexplained residual as Modelica."
         ),
     ] = None,
     settings: SetOption = None,

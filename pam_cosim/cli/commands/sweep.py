@@ -133,9 +133,7 @@ def sweep(
 def _kept(output: Path) -> str:
     file = partial_of(output)
     return (
-        f"the runs that are done are kept in {file}: the same command goes on"
-        if file.exists()
-        else ""
+        f"the finished runs are kept in {file}: the same command continues" if file.exists() else ""
     )
 
 

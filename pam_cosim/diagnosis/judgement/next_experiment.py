@@ -87,7 +87,9 @@ class Variation(NamedTuple):
         """The changes in words."""
         pace = "slower" if self.factors.get(PACE, 0.0) > 1 else "faster"
         changes = [
-            f"{pace}, all times times {factor:g}" if name == PACE else f"{name} times {factor:g}"
+            f"{pace}: all times multiplied by {factor:g}"
+            if name == PACE
+            else f"{name} times {factor:g}"
             for name, factor in self.factors.items()
         ]
         return " and ".join(changes) or "repeat it as it is"

@@ -198,8 +198,8 @@ def probability_picture(rows: Sequence[ProbabilityRow]) -> Picture:
         return picture(
             figure,
             f"Probability of what may be missing: {'; '.join(labels)}",
-            "What may be missing, and how probable each is by the evidence of the models that were fitted; the last "
-            "one by how often such a verdict was wrong where the truth is known.",
+            "Probability of each possible cause, by the evidence of the fitted models. The last probability is how "
+            "often such a verdict was wrong in cases of which the truth is known.",
         )
 
 

@@ -44,7 +44,7 @@ def add(
         raise InputError("there is no effect to add: switch one on, or diagnose first")
     if not on:
         raise InputError(
-            "what is stated of a parameter is no part of a model: correct it in the data set"
+            "a correction of a stated value is no part of a model: correct the value in the data set"
         )
     name = _target(study, file, study.catalogue.composed(state.model, on).name)
     corrections = corrections_of(state.data, state.values)
