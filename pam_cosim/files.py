@@ -291,7 +291,7 @@ def _check_kind(status: os.stat_result, path: Path) -> None:
 def _check_size(status: os.stat_result, path: Path, most: int) -> None:
     if status.st_size > most:
         raise InputError(
-            f"has {status.st_size / 1e6:.0f} MB; the limit is {most / 1e6:.0f} MB", path
+            f"has {status.st_size / 1e6:.0f} MB; {most / 1e6:.0f} MB can be taken", path
         )
 
 

@@ -69,7 +69,7 @@ class _Component:
 
 
 class NoPlace(InputError):
-    """An effect that a model has no place for, or not beside the others."""
+    """An effect for which a model has no place, alone or together with the others."""
 
 
 class _Draft:
@@ -139,7 +139,7 @@ class _Draft:
         return [slot for slot in self.structure.slots if slot.constraint in bases]
 
     def _clash(self, effect: EffectClass, slot: Slot) -> str:
-        """Why an effect cannot be put into a slot beside what stands there; empty if it can be."""
+        """Why an effect cannot be added to the effects in a slot; empty if it can."""
         way = channel(self.tree, slot.constraint)
         place = f"{slot.path}.{slot.name}".lstrip(".")
         for law in self._kept(slot, way):

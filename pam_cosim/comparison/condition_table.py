@@ -210,7 +210,7 @@ def condition_table(
         rows: name of a parameter that every run has.
         columns: of another one.
         units: SI units of parameters, by name.
-        fitted: what all runs were simulated with besides, where a run does not say it [SI].
+        fitted: values with which all runs without a value of their own were simulated [SI].
 
     Raises:
         InputError: a parameter that some run does not have; the same one twice.
@@ -258,7 +258,7 @@ def check_conditions(
         runs: the measurement.
         rows: name of a parameter that every run has.
         columns: of another one.
-        fitted: names of what all runs are simulated with besides.
+        fitted: names of the other values with which all runs are simulated.
 
     Raises:
         InputError: a parameter that some run does not have; the same one twice.

@@ -1,4 +1,4 @@
-"""The discrepancy of a fitted model beside the noise: a stationary course with a memory, from its residuals.
+"""The discrepancy of a fitted model in addition to the noise: a stationary process, estimated from its residuals.
 
 A model that lacks an effect errs for a while in one direction. Beside white noise, its residual then contains a course
 about zero, here of one variance and one memory in all runs, and independent from run to run (Kennedy and O'Hagan,
@@ -25,7 +25,7 @@ TAIL = 0.025  # of the samples, on either side of a 95 % band
 
 @dataclass(frozen=True)
 class Discrepancy:
-    """The discrepancy of a model in one signal, beside the noise.
+    """The discrepancy of a model in one signal, in addition to the noise.
 
     Attributes:
         sd: standard deviation [unit of the signal].

@@ -94,7 +94,7 @@ class Fit(Printed, Tabular):
         return {**self.residuals, "holdout": held}
 
     def without_linear(self) -> Fit:
-        """The same without the linear model; what was reckoned of the residuals stays with it."""
+        """The same fit without the linear model; statistics of the residuals that were computed are kept."""
         bare = replace(self, linear=None)
         for name in ("residuals_beyond_uncertainty", "_noise_deviances"):
             if name in vars(self):

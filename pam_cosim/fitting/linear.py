@@ -1,4 +1,4 @@
-"""A model linearised about its parameters, in few rows: what a search over many models reckons with."""
+"""A model linearised about its parameters, condensed to few rows for the search over many models."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ class ParameterPosterior:
         names: of the parameters that were fitted.
         units: SI units, by name.
         samples: (n, k) values [SI].
-        weights: (n,) how likely each is beside the others; they add up to one.
+        weights: (n,) relative probability of each sample; they sum to one.
         fixed: what else the model is run with [SI].
     """
 
@@ -115,7 +115,7 @@ def parameter_posterior(
 def _weights(
     objective: Objective, scale: Array, drawn: Array, mean: Array, precision: Array
 ) -> Array:
-    """(n,) the posterior over the density that samples were drawn from; nought where the model breaks down."""
+    """(n,) the posterior over the density that samples were drawn from; zero where the simulation fails."""
     chi2 = np.array([float(np.sum((objective.plain_residuals(z) * scale) ** 2)) for z in drawn])
     away = drawn - mean
     quadratic = np.einsum("ni,ij,nj->n", away, precision, away)

@@ -254,7 +254,7 @@ def _at_new_bound(objective: Objective, best: Array, z: Array, i: int) -> bool:
 
 
 def correlations(jacobian: Array) -> Array:
-    """(k, k) correlation matrix of the estimates; NaN beside a parameter that moves nothing.
+    """(k, k) correlation matrix of the estimates; NaN in the row and column of a parameter without influence.
 
     Args:
         jacobian: (m, k) of the weighted residuals.

@@ -16,7 +16,7 @@ from pam_cosim.simulation import AnySimulator
 
 
 def start_estimates(objective: Objective) -> dict[str, Estimate]:
-    """By "state@run": where the runs of an objective begin, with 95 % intervals beside the other parameters."""
+    """Estimated start values of the runs of an objective with 95 % intervals, by "state@run"."""
     variables = objective.simulator.interface.start_values
     estimates = {}
     for start in objective.starts.by_run.values():

@@ -271,7 +271,7 @@ class _Resolution:
         return chosen
 
     def _free(self, names: Sequence[str], guesses: Mapping[str, float]) -> None:
-        """Just these are free: what the data set leaves free besides is held, and what it states of these gives way."""
+        """Only these are free: other free parameters of the data set are held, and its values of these are not used."""
         declared = self.fit
         self.fit = {name: self._entry(name, declared, guesses) for name in names}
         for name, entry in declared.items():

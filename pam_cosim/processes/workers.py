@@ -54,7 +54,7 @@ def processors() -> int:
 
 
 def on_one_thread(function: Callable[Arguments, Result]) -> Callable[Arguments, Result]:
-    """A function whose linear algebra is of many small matrices, beside other processes at work.
+    """A function whose linear algebra, of many small matrices, runs on one thread.
 
     On more threads than one it would spend most of the time waiting for them, and take that from the others.
     """

@@ -176,7 +176,7 @@ def letters_in(width: float) -> int:
 def legend_outside(
     figure: Figure, handles: Sequence[Any], loc: Any = "outside upper center"
 ) -> None:
-    """A legend beside the axes, in as many columns as the figure is wide, long labels in lines."""
+    """A legend outside the axes, in as many columns as the figure is wide, long labels in lines."""
     room = letters_in(figure.get_size_inches()[0])
     labels = [wrapped(str(handle.get_label()), room - 8, 3) for handle in handles]
     longest = max((len(line) for label in labels for line in label.split("\n")), default=1)

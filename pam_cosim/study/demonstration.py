@@ -38,7 +38,7 @@ class Demonstration:
 
 
 def results_of(output: Path, name: str, model: str) -> tuple[Path, Path, Path, Path]:
-    """Where a demonstration leaves its page, its picture, its numbers and its model."""
+    """Paths of the page, picture, numbers and model that a demonstration writes."""
     return (
         output / f"{name}.html",
         output / f"{name}.png",

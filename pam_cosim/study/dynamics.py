@@ -295,7 +295,7 @@ def frequency_response(
     conditions = {} if isinstance(at, str) else conditions_of(at, face)
     if conditions and not free:
         raise InputError(
-            "a sine swings about a rest: name the inputs that may be chosen for it (free)"
+            "a frequency response is about an equilibrium: name the inputs that may be chosen for it (free)"
         )
     if exchanging:
         trusted = not is_fmu(model)

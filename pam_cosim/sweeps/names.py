@@ -1,4 +1,4 @@
-"""Names that results of sweeps have beside those of the model."""
+"""Names in results of sweeps that are not those of the model."""
 
 FAILURE = "failure"  # why a run failed; empty where it did not
 RUN = "run"  # its number

@@ -140,7 +140,7 @@ def _bytes_of(inputs: Inputs) -> bytes:
 
 
 def partial_of(result: Path) -> Path:
-    """The file beside a result in which the runs of a sweep are kept until it is done."""
+    """The file next to a result that keeps the runs of an unfinished sweep."""
     return result.with_name(result.name + PARTIAL)
 
 
@@ -156,7 +156,7 @@ def make_sweep(
 
     Args:
         plan: the sweep.
-        result: the file that will hold the result: runs are kept beside it until ``Sweep.save`` has written it.
+        result: the file of the result; a file next to it keeps the runs until ``Sweep.save`` has written the result.
             None: they are kept until the sweep is forgotten.
         executor: where runs are made, as ``executors.run_all``.
         workers: how many, as ``executors.run_all``.

@@ -101,7 +101,7 @@ class Guard:
 
 
 def new_token() -> str:
-    """A token that nobody can guess."""
+    """A random token of a session."""
     return secrets.token_urlsafe(32)
 
 

@@ -261,6 +261,6 @@ def _lines(file: Path) -> list[str]:
         ]
     try:
         text, _ = any_text(head, file)
-    except InputError:  # the page shows what there is; whoever reads the file says what is wrong
+    except InputError:  # the page shows the rest; the reader of the file reports the error
         text = head.decode("utf-8", errors="replace")
     return text.splitlines()

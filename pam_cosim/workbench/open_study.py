@@ -249,7 +249,7 @@ class OpenStudy:
         self.draw_beside("reference", self.state.before, "before")
 
     def draw_beside(self, kind: str, comparison: Comparison | None, label: str = "") -> None:
-        """Draws another model beside the standing one; None: it is there no longer."""
+        """Draws another model together with the present one; None: removes it."""
         if comparison is not None:
             curves = model_curves(comparison.runs, self.source.whole(self.state.data))
             self.windows.send(frame(kind, self.version, curves, label), kind)

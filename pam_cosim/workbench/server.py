@@ -35,7 +35,7 @@ from pam_cosim.workbench.protocol import answer, failure
 
 PAGE = Path(__file__).parent / "page"
 HOST = "127.0.0.1"
-SWITCH = 0.0005  # [s] after which what is sent need no longer wait for what is reckoned
+SWITCH = 0.0005  # [s] after which a message no longer waits for a computation
 MOST_WAITING, MOST_WAITING_LETTERS = (
     20_000,
     100_000_000,
@@ -326,7 +326,7 @@ def _listener(port: int) -> socket.socket:
     listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         listener.bind((HOST, port))
-        listener.listen()  # whoever is told the address may come before the server begins
+        listener.listen()  # a browser with the address may connect before the server begins
     except OSError as problem:
         listener.close()
         raise InputError(

@@ -23,7 +23,7 @@ class State:
     Attributes:
         data: the measurement, with noise levels and the roles that runs have now.
         model: the base model.
-        effects: what it has beside, in the order in which they were switched on.
+        effects: the added effects, in the order in which they were switched on.
         values: of parameters, where they differ from where they begin, by name [SI].
         fit: the last one, of this model.
         diagnosis: the last one; ``diagnosed``: the effects that the model had then.
@@ -33,7 +33,7 @@ class State:
         known: every value of the base model, with where it comes from.
         steps: done so far; ``loaded``: how many of them were done when the study was loaded, which stay as they are.
         file: that the model with its effects was written to, by its name in the folder of the study.
-        before: the model before the last change of its effects, to be drawn beside.
+        before: the model before the last change of its effects, to be drawn for comparison.
     """
 
     data: DataSet

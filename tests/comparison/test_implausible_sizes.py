@@ -41,7 +41,7 @@ def impossible(measured: np.ndarray, modelled: np.ndarray, unit: str = "Pa") -> 
 def test_a_pressure_below_a_vacuum_is_told() -> None:
     (doubt,) = impossible(-PRESSURE, PRESSURE)
     assert "below -101 kPa, a vacuum" in doubt.text and "at 0 s of run-01" in doubt.text
-    assert "the sign, the unit, or the zero" in doubt.text
+    assert "the sign, the unit and the zero" in doubt.text
 
 
 def test_noise_at_a_vacuum_and_differences_of_pressures_are_not() -> None:

@@ -82,7 +82,7 @@ def test_fit_tells_what_the_swarm_did_and_what_the_descent_made_of_it() -> None:
         "swarm of 50 particles: chi2",
         "in 10 generations",
         "its own best point",
-        "the descent from there",
+        "the descent from the best start",
     ):
         assert part in text
     assert study.fit(data).search is None

@@ -12,7 +12,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import MOST_OF_DOCUMENT, read_interface
 
 LARGE = b"<x>" + b" " * MOST_OF_DOCUMENT
-SAID = "20 MB; the limit is 20 MB"
+SAID = "20 MB; 20 MB can be taken"
 DEFLATED, LZMA = zipfile.ZIP_DEFLATED, zipfile.ZIP_LZMA
 
 

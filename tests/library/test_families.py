@@ -89,7 +89,7 @@ def test_an_effect_says_of_its_parameters_what_is_known_of_them(
 @pytest.mark.parametrize(
     ("entry", "said"),
     [
-        *((f"typical={text}", "typical of c wants two numbers in braces")
+        *((f"typical={text}", "typical of c must be two numbers in braces")
           for text in ("{2, 1}", "{1}", "0.5", "{0.5, k}", '"0.5"')),
         ("at_min={0.5}", "at_min of c must be the name of an effect in quotes"),
         ("above=x", "above of c must be the name of a signal in quotes"),

@@ -89,7 +89,7 @@ def test_a_file_without_time_has_an_interval(lab):
 # (name, text replaced, replacement, text on the line that is named, words)
 FAULTS = [
     ("no such column", '"Druck 1"', '"Druck 2"', "Druck 2", ["lab.csv has no column 'Druck 2'", "did you mean"]),
-    ("no such number", '"Druck 1"', "9", "column = 9", ["no column 9", "only 1, 2, 3, 4"]),
+    ("no such number", '"Druck 1"', "9", "column = 9", ["no column 9", "that are read: 1, 2, 3, 4"]),
     ("wrong unit", '"bar"', '"mm"', None, ["'mm'", "'Pa'"]),
     ("units in a formula", '"32 mm"', '"32 K"', "- Weg", ["units of the formula", "kelvin"]),
     ("unknown name", "- Weg", "- Wge", "Wge", ["there is no 'Wge'", "did you mean 'Weg'"]),

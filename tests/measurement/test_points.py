@@ -162,7 +162,7 @@ IMPOSED, TIMED = "p [kPa],x [mm]", "time [s],p [kPa],F [N],x [mm],branch"
         (
             table(["0,20,1,up", ",20,5,up"]),
             "",
-            [f"{CSV}:3: column 'p'", "the cell is empty; a row must say"],
+            [f"{CSV}:3: column 'p'", "the cell is empty; every row must have"],
         ),
         (
             table(["0,1", "100,5"], IMPOSED),
@@ -239,7 +239,7 @@ IMPOSED, TIMED = "p [kPa],x [mm]", "time [s],p [kPa],F [N],x [mm],branch"
         (
             table(["20,1", "20,2"], "F [N],x [mm]"),
             'branch = "order"\n[runs.parameters]\np = "1 bar"',
-            [f"{TOML}:10", f"the rows of {CSV} tell no direction"],
+            [f"{TOML}:10", f"the rows of {CSV} do not determine a direction"],
         ),
     ],
 )

@@ -57,7 +57,7 @@ def ledger_of(search: Search, present: Fit) -> Ledger | None:
 def described(
     search: Search, ledger: Ledger | None, base: Fit, effects: Sequence[str], present: Fit
 ) -> LearnedModel | None:
-    """A formula for what is missing beside effects, or for all of it, and the model with it: the one that leaves less.
+    """The model with a learned formula, in addition to effects or alone: the one with the smaller residual.
 
     Effects that leave structure may stand in for what is missing, and then hide its course. It is looked for where the
     ledger fails, if there is one, and takes at most a part of the effort of the search.

@@ -234,7 +234,7 @@ def _variables_beside(
     values: Mapping[str, float],
     component_names: Sequence[str],
 ) -> tuple[dict[str, Array], dict[str, str], Variable] | None:
-    """The variables beside a term over all fitted samples, their units, and the parameter that is the term.
+    """The variables at the place of a term over all fitted samples, their units, and the parameter of the term.
 
     Those that its class means a law to be of come first: of two that say the same the first is taken.
     """

@@ -86,7 +86,7 @@ def cross_validation_error(rows: FeltForms, forms: Sequence[Form]) -> float:
 
 
 def coefficients_of(rows: FeltForms, forms: Sequence[Form]) -> tuple[Array, float]:
-    """Least squares of the forms beside the free parameters: (k,), and what is left, in noise variances."""
+    """Coefficients (k,) of the forms by least squares, with the free parameters, and the residual [noise variances]."""
     table = np.column_stack([rows.imitated, *rows.columns(forms)])
     solution = _regularised_solution(table.T @ table, table.T @ rows.residual)
     mean_square = float(np.mean((rows.residual - table @ solution) ** 2))

@@ -1,4 +1,4 @@
-"""What happens in a diagnosis, as data: whoever listens draws it, and as text it is the line that is printed."""
+"""Events of a diagnosis as data for listeners; the text of an event is the line that is printed."""
 
 from __future__ import annotations
 

@@ -140,7 +140,7 @@ def deviance(fit: Fit, scale: NoiseScale) -> float:
 
 
 def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
-    """Candidates with their evidence beside that of the base model, best first."""
+    """Candidates with their evidence relative to the base model, best first."""
     if not candidates:
         return []
     scale = noise_scale([base, *(c.fit for c in candidates)])
@@ -161,7 +161,7 @@ def _undetermined_count(candidate: Candidate) -> int:
 
 
 def refuted_by_unfitted_signals(rival: Fit, best: Fit) -> bool:
-    """Whether signals that were compared but not fitted speak against a model, beside another one."""
+    """Whether signals that were compared but not fitted refute a model, compared with another model."""
     signals = best.comparison.data.signals
     ratios = [
         score.rmse / other.rmse

@@ -58,7 +58,7 @@ class Posterior:
     def by_family(self) -> dict[str, float]:
         """Probability that a family is missing, whatever else is; the most probable first.
 
-        Of the sets of families that were fitted: that something else is missing besides makes none less probable.
+        Over the fitted sets of families; an additional cause without an effect does not lower it.
         """
         families = dict.fromkeys(f for e in self.explanations for f in e.families)
         sums = {family: self.probability_of_any((family,)) for family in families}
@@ -139,7 +139,7 @@ def doubts_of(selected: Sequence[Candidate], structure: bool, form_open: bool) -
 
 
 def something_else(doubts: Collection[str]) -> float:
-    """Probability that something is missing, or something besides, that no effect describes."""
+    """Probability that a cause is missing, alone or in addition, that no effect describes."""
     always, *more = CRITERIA.evidence.something_else
     logit = always + sum(
         number for name, number in zip(DOUBTS, more, strict=True) if name in doubts

@@ -1,4 +1,4 @@
-"""How much an effect is worth beside the others of a model, and whether that is enough to call it missing.
+"""The error that an effect removes in addition to the others of a model, and whether it is large enough to matter.
 
 The evidence of many samples tells apart what nobody cares about: what such an effect takes away is what the form of
 another one does not say. So a further effect is called missing only if it is large enough; else it is measurable, but

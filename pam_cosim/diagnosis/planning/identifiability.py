@@ -276,12 +276,12 @@ def _strength_parameters(strengths: Strengths, strength: float) -> dict[str, flo
 
 
 def _orthogonal_part(basis: Array, columns: Array) -> Array:
-    """What is left of columns beside orthonormal ones."""
+    """The part (m, k) of columns (m, k) that is orthogonal to orthonormal columns (m, j)."""
     return np.asarray(columns - basis @ (basis.T @ columns))
 
 
 def _orthonormal(columns: Array) -> Array:
-    """(m, j) directions of columns that are not small beside the longest one."""
+    """(m, j) orthonormal directions of columns (m, k); directions much shorter than the longest are left out."""
     directions, singular, _ = np.linalg.svd(columns, full_matrices=False)
     return np.asarray(directions[:, singular > REST_RANGE * singular.max(initial=0.0)])
 
