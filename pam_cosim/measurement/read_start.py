@@ -69,7 +69,9 @@ def _with_before(
     table: RunTable, interface: Interface, start: Start, before: Mapping[str, Stated]
 ) -> Start:
     if start.mode in ("measured", "estimated"):
-        message = f"{shown(start.mode)} begins at the first samples, but before describes earlier times"
+        message = (
+            f"{shown(start.mode)} begins at the first samples, but before describes earlier times"
+        )
         raise table.error(f'{message}; state "rest" or "steady", as it was then', "before")
     if _FOR not in before:
         raise table.error('for is missing: state how long, before = { ..., for = "5 s" }', "before")

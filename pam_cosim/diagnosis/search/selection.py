@@ -287,9 +287,7 @@ class _Models:
                 effects
                 for e, effects in self._other_forms(best.effects, name).items()
                 if cost[e] <= plain
-                and (
-                    open_form if e in self.search.general else structured or cost[e] < cost[name]
-                )
+                and (open_form if e in self.search.general else structured or cost[e] < cost[name])
             ]
             for name in (best.effects if leading is None else leading)
         }
