@@ -15,10 +15,12 @@ from pam_cosim.units import UnitError, convert, parse_quantity
 from pam_cosim.wording import shown
 
 EXAMPLES = (
-    "--valve '0.8 mm2 at 250 mA', or --valve '120 l/min at 300 mA from 40 mA' where it opens later"
+    "--valve '0.8 mm2 at 250 mA', or --valve '120 l/min at 300 mA from 40 mA' where it opens later; of valves that "
+    "differ --valve 'u_in=0.8 mm2 at 250 mA; u_out=1.2 mm2 at 250 mA'"
 )
 _RATING = re.compile(
-    r"\s*(?:[a-z]+ )?(?P<size>[\d.]+ *[^\s\d]\S*)(?: at (?P<at>[\d.]+ *\S*?))?(?: from (?P<begin>[\d.]+ *\S*))?\s*",
+    r"\s*(?:(?P<input>[\w.]+) *= *)?(?:[a-z]+ )?(?P<size>[\d.]+ *[^\s\d]\S*)"
+    r"(?: at (?P<at>[\d.]+ *\S*?))?(?: from (?P<begin>[\d.]+ *\S*))?\s*",
     re.IGNORECASE,
 )
 
@@ -28,11 +30,13 @@ class Rating:
     """What a data sheet states of a valve, in its own units.
 
     Attributes:
+        input: that opens the valve; "": of both valves.
         size: area, or nominal flow, at the input ``at``.
         begin: input at which the valve begins to open; "": zero.
     """
 
     text: str
+    input: str
     size: str
     at: str
     begin: str
@@ -53,7 +57,7 @@ class Scale:
     offset: float
     model_unit: str
 
-    def entry(self, name: str, column: RecordedColumn) -> tuple[str, dict[int, Array]]:
+    def entry(self, column: RecordedColumn) -> tuple[str, dict[int, Array]]:
         """The formula of ``[columns]`` of an input, and its numbers.
 
         Raises:
@@ -82,18 +86,47 @@ def rating_of(text: str) -> Rating:
     match = _RATING.fullmatch(text)
     if match is None:
         raise InputError(f"--valve {shown(text)} is not read; say {EXAMPLES}")
-    return Rating(text, match["size"], match["at"] or "", match["begin"] or "")
+    return Rating(
+        text, match["input"] or "", match["size"], match["at"] or "", match["begin"] or ""
+    )
 
 
-def parameter_of(
-    rating: Rating, interface: Interface, headings: Headings
-) -> tuple[str, str, Scale | None]:
-    """The parameter that has the rating, its value, and the scale of the valve's inputs; None: they stay as they are.
+def ratings(
+    text: str, interface: Interface, headings: Headings
+) -> tuple[dict[str, Scale], dict[str, str]]:
+    """What data sheets state of valves: scales of the inputs that open them, and values of parameters by name.
+
+    Sentences are separated by semicolons, each of one valve ("u_in=0.8 mm2 at 250 mA") or of both. An area is
+    that of the opening: what the jet leaves of it stays with the parameter that calibrates the valves.
 
     Raises:
-        InputError: the bench has no such valve, or a unit does not fit.
+        InputError: it is written otherwise, the bench has no such valve, or a unit does not fit.
     """
-    inputs = valve_inputs(interface, headings)
+    scales, values = dict[str, Scale](), dict[str, str]()
+    for rating in map(rating_of, filter(str.strip, text.split(";"))):
+        inputs = valve_inputs(interface, headings)
+        if rating.input and rating.input not in inputs:
+            known = (
+                f"the bench has the valves of {', '.join(inputs)}"
+                if inputs
+                else "the bench has none"
+            )
+            raise InputError(f"--valve {shown(rating.text)}: no valve has this input; {known}")
+        name, scale = _calibration(rating, inputs, interface, headings)
+        if isinstance(scale, Scale):
+            scales |= dict.fromkeys([rating.input] if rating.input else inputs, scale)
+        elif rating.input or values:
+            message = f"the bench has one area for both valves, {name}; state one --valve without an input"
+            raise InputError(f"--valve {shown(rating.text)}: {message}")
+        else:
+            values[name] = scale
+    return scales, values
+
+
+def _calibration(
+    rating: Rating, inputs: Mapping[str, Variable], interface: Interface, headings: Headings
+) -> tuple[str, Scale | str]:
+    """The parameter that calibrates the valves, and the scale of their inputs, or its value where there is none."""
     for last, unit, input_unit, slope, begin in headings.vocabulary.data_sheets:
         name = next((n for n in interface.parameters if n.rpartition(".")[2] == last), None)
         if name is None or not inputs or {v.unit for v in inputs.values()} != {input_unit}:
@@ -102,15 +135,13 @@ def parameter_of(
             size = _size(rating, unit, headings)
             per_input = parse_quantity(slope, f"{unit}/({input_unit})" if begin else unit)
             if not begin:
-                return name, f"{size / per_input / (_number(rating.at, '1') or 1.0):.6g}", None
+                return name, f"{size / per_input / (_number(rating.at, '1') or 1.0):.6g}"
             full, less = _number(rating.at, rating.unit), _number(rating.begin, rating.unit)
             if full <= less:
                 raise InputError(f"--valve {shown(rating.text)}: say at which input, as {EXAMPLES}")
             gain = size / per_input / (full - less)
-            return (
-                name,
-                "1",
-                Scale(rating.unit, less, gain, parse_quantity(begin, input_unit), input_unit),
+            return name, Scale(
+                rating.unit, less, gain, parse_quantity(begin, input_unit), input_unit
             )
         except UnitError as error:
             raise InputError(f"--valve {shown(rating.text)}: {error}; say {EXAMPLES}") from None

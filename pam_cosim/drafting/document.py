@@ -31,6 +31,7 @@ class Draft:
         open: which parameters a fit may tell.
         interpolation: of the inputs of all recordings.
         points: of tables of points at rest.
+        valve: what the user states of data sheets of valves; "": nothing.
     """
 
     title: str
@@ -47,6 +48,7 @@ class Draft:
     roles: Sequence[Role]
     interpolation: str = "linear"
     points: PointsDraft | None = None
+    valve: str = ""
 
     @property
     def interface(self) -> Interface:

@@ -12,7 +12,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.benches import NO_PRESSURE, BenchChoice
 from pam_cosim.drafting.columns import RecordedColumn
-from pam_cosim.drafting.data_sheets import Scale, valve_inputs
+from pam_cosim.drafting.data_sheets import Scale
 from pam_cosim.drafting.evidence import Evidence
 from pam_cosim.drafting.headings import GRAVITY, Headings, Meaning, alike, meant
 from pam_cosim.drafting.shapes import (
@@ -90,12 +90,12 @@ class Mapped:
 
 
 def map_columns(
-    choice: BenchChoice, interface: Interface, evidence: Evidence, valve: Scale | None = None
+    choice: BenchChoice, interface: Interface, evidence: Evidence, valves: Mapping[str, Scale]
 ) -> Mapped:
     """Entries for what is named, signed, scaled or zeroed otherwise than the bench has it.
 
-    What the user states as a formula stays as it is; of a column that the user names, the sign too. A ``valve`` of a
-    data sheet scales the inputs that open it.
+    What the user states as a formula stays as it is; of a column that the user names, the sign too. Data sheets of
+    ``valves`` scale the inputs that open them.
     """
     headings, variables = evidence.headings, {**interface.inputs, **interface.outputs}
     meanings = {name: headings.variable(variable) for name, variable in variables.items()}
@@ -105,8 +105,8 @@ def map_columns(
         entries["time"] = ColumnEntry("time", time.name, _unit_to_state(time), why=time.why)
     values: dict[str, dict[int, Array]] = {}
     for name, column in choice.fed.items():
-        if valve is not None and name in valve_inputs(interface, headings):
-            formula, values[name] = valve.entry(name, column)
+        if name in valves:
+            formula, values[name] = valves[name].entry(column)
             entries[name] = ColumnEntry(name, formula=formula, why=column.why)
             continue
         entries[name], values[name] = _named(name, column, variables[name], interface, evidence)

@@ -17,7 +17,7 @@ from pam_cosim.catalogue import vocabulary_of
 from pam_cosim.compiler import ClassTree
 from pam_cosim.drafting.benches import Bench, class_name, stated_interface, take_bench
 from pam_cosim.drafting.columns import RecordedColumn
-from pam_cosim.drafting.data_sheets import parameter_of, rating_of
+from pam_cosim.drafting.data_sheets import ratings
 from pam_cosim.drafting.document import Draft, document
 from pam_cosim.drafting.entries import Mapped, map_columns, with_directions
 from pam_cosim.drafting.evidence import DraftRequests, Evidence, gather, used_in
@@ -133,13 +133,12 @@ def _draft(
     follows = {n: (v, zero) for n, v in following(evidence.stated, interface).items()}
     plain = "nobody names the muscle: its fibres have no friction and cover nothing, and an effect may say otherwise"
     follows |= {n: (v, plain) for n, v in neutral(evidence, bench).items() if n not in follows}
-    valve = None
-    if wishes.valve is not None:
-        name, value, valve = parameter_of(rating_of(wishes.valve), interface, headings)
-        follows[name] = value, f"the data sheet of the valve: {wishes.valve}"
+    valves, values = ratings(wishes.valve or "", interface, headings)
+    sheet = f"the data sheet of the valves: {wishes.valve}"
+    follows |= {name: (value, sheet) for name, value in values.items()}
     if evidence.points:
         check_imposed(choice.unfed, [{*evidence.stated, *own} for own in evidence.own], interface)
-    mapped = map_columns(choice, interface, evidence, valve)
+    mapped = map_columns(choice, interface, evidence, valves)
     told = values_told(evidence, bench, mapped)
     guessed = _guessed_roles(bench, evidence, mapped, told)
     by_run = any(role.role == "holdout" for role in guessed) or bool(wishes.roles)
@@ -172,6 +171,7 @@ def _draft(
         points=points_draft(mapped.runs, interface, evidence.files, by_run, headings)
         if evidence.points
         else None,
+        valve=wishes.valve or "",
     )
 
 

@@ -245,7 +245,7 @@ def _valve_data(made: Draft) -> Iterator[str]:
         for n in made.open.free
         if not made.is_known(n) and "area" in made.open.free[n].description
     ]
-    if names:
+    if names and not made.valve:
         yield (
             f"flow area of the valves: {listed(names)} is free; where a data sheet tells the area or the nominal flow "
             f"at an input, say {EXAMPLES}"

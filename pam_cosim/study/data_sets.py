@@ -150,7 +150,8 @@ def new(
         title: default: the folder's name.
         model: the bench; a ``.mo`` or ``.fmu`` file is copied too.
         muscle: one of ``rig_parts``, by name; the bench is then put together.
-        valve: what its data sheet states, as "0.8 mm2 at 250 mA" or "120 l/min at 300 mA from 40 mA".
+        valve: what its data sheet states, as "0.8 mm2 at 250 mA" or "120 l/min at 300 mA from 40 mA"; of valves that
+            differ "u_in=0.8 mm2 at 250 mA; u_out=1.2 mm2 at 250 mA".
         columns: names of columns, or formulas, by inputs, outputs or "time".
         parameters: what is known of all runs, with units.
         recording: keys of ``[recording]`` of ``experiment.toml``, as far as files do not show them.
