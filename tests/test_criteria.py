@@ -42,7 +42,8 @@ DECIDE_NOTHING = {
     "comparison/conventions": (
         "advice to look at the data first; physical constants",
         "_MOST_RUNS _LATEST _PRICE_OF_DELAY _GAIN _NEAR_NOISE _LARGE_ERROR _REMAINING _REMAINING_ERROR _SAME_FACTOR "
-        "_LEAST_VARIANCE _APART _AGAINST _WITH _ZEROS ATMOSPHERES STANDARD_ATMOSPHERE",
+        "_LEAST_VARIANCE _SIZES _PRICE_OF_SIZE _MOST_UNEXPLAINED _NEGLIGIBLE _EXPLAINED _ZEROS ATMOSPHERES "
+        "STANDARD_ATMOSPHERE",
     ),
     "comparison/plausibility": (
         "advice to look at the data first; physical constants",
