@@ -57,24 +57,6 @@ def test_effects_on_top_of_one_that_was_fitted() -> None:
         assert e.reduction == pytest.approx(taken, rel=1e-3, abs=0.1)
 
 
-def test_another_form_of_an_effect_is_expected_to_do_what_the_first_one_does_and_more() -> None:
-    likely = world({"YoungBladder": 5.0})
-    base, one = likely.fitted(()), likely.fitted(("LinearBladder",))
-    assert base.linear is not None and one.linear is not None
-    made = [
-        addition(base.linear, p)
-        for p in likely.probe(base, (), [e.name for e in CATALOGUE])
-        if p.effect in {"YoungBladder", "OrificeLeak"}
-    ]
-    every = Additions([a for a in made if a is not None], ROWS)
-    (other,) = LinearisedNeighbourhood(
-        ("LinearBladder",), one.linear, FAMILY, every
-    ).with_another_form
-    assert (other.effects, other.exchanged) == (("YoungBladder",), "LinearBladder")
-    left = one.residuals["fit"].chi2 - other.reduction
-    assert left <= likely.fitted(("YoungBladder",)).residuals["fit"].chi2
-
-
 def test_an_added_effect_is_expected_where_samples_and_prior_balance() -> None:
     """The squares of both are least where their derivatives cancel, here by hand for one parameter."""
     (probe,) = [p for p in WORLD.probe(BASE, (), ["LinearBladder"])]

@@ -155,26 +155,24 @@ class PredictedFit(NamedTuple):
 
 @dataclass(frozen=True)
 class PredictedModel:
-    """A model that nobody fitted: one that was, with a further effect, or with one exchanged for another.
+    """A model that nobody fitted: one that was, with a further effect.
 
     Attributes:
         start: effects of the fitted model that it starts from.
         added: what is added.
         reduction: of the sum of squares, beyond what that leaves, if effects were free to bend.
-        exchanged: the effect of ``start`` that makes place; empty: none.
         beside: the model that is started from.
     """
 
     start: tuple[str, ...]
     added: EffectDirections
     reduction: float
-    exchanged: str = ""
     beside: LinearisedNeighbourhood | None = None
 
     @cached_property
     def effects(self) -> tuple[str, ...]:
         """All effects."""
-        return (*(e for e in self.start if e != self.exchanged), self.added.effect)
+        return (*self.start, self.added.effect)
 
     @cached_property
     def set_of_effects(self) -> frozenset[str]:
@@ -184,7 +182,7 @@ class PredictedModel:
     @cached_property
     def within_bounds(self) -> PredictedFit | None:
         """What is expected when all parameters keep to their bounds; None: it is not known."""
-        if self.beside is None or self.exchanged:
+        if self.beside is None:
             return None
         fits = map(self.beside.within_bounds, self.added.shapes)
         return max(fits, key=lambda fit: fit.reduction - fit.chi2_priors)
@@ -264,27 +262,14 @@ class LinearisedNeighbourhood:
         moved = own.slopes @ step[:k] + moves[:, slopes] @ step[k:] + moves[:, whole]
         return PredictedFit(max(gained, 0.0), by_name, off, own.residual - moved)
 
-    def _single(self, own_family: bool) -> list[tuple[float, EffectDirections]]:
-        taken = {self.family[e] for e in self.effects}
-        some = [
-            (a, at)
-            for a, at in zip(self.additions.every, self.additions.at, strict=True)
-            if (a.family in taken) is own_family and a.effect not in self.effects
-        ]
-        gains = self._gains([at for _, at in some])
-        return [(gain, a) for gain, (a, _) in zip(gains, some, strict=True)]
-
     @cached_property
     def with_one(self) -> list[PredictedModel]:
         """One further effect of another family."""
+        taken = {self.family[e] for e in self.effects}
+        additions = zip(self.additions.every, self.additions.at, strict=True)
+        further = [(a, at) for a, at in additions if a.family not in taken]
+        gains = self._gains([at for _, at in further])
         return [
-            PredictedModel(self.effects, a, gain, beside=self) for gain, a in self._single(False)
-        ]
-
-    @cached_property
-    def with_another_form(self) -> list[PredictedModel]:
-        """An effect exchanged for another of its family, as if that could do all that the first one does."""
-        of = {self.family[e]: e for e in self.effects}
-        return [
-            PredictedModel(self.effects, a, gain, of[a.family]) for gain, a in self._single(True)
+            PredictedModel(self.effects, a, gain, beside=self)
+            for gain, (a, _) in zip(gains, further, strict=True)
         ]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from math import log
@@ -135,7 +134,6 @@ class PredictedEvidence:
         self._neighbourhoods: dict[
             tuple[str, ...], tuple[Linear, Additions, LinearisedNeighbourhood]
         ] = {}
-        self._success_shares: defaultdict[int, list[float]] = defaultdict(list)
 
     # ---- what was looked at -----------------------------------------------------------------------------------
 
@@ -153,20 +151,6 @@ class PredictedEvidence:
     def probed_beside(self, effects: tuple[str, ...]) -> Mapping[str, EffectDirections]:
         """The effects that were looked at beside a model."""
         return self._probes_beside.get(effects, {})
-
-    def note_outcomes(self, tried: Sequence[PredictedModel]) -> None:
-        """Notes how much of the expected reductions came true."""
-        known, displaced = self.ranking.fitted, self.ranking.search.displaced
-        for e in (e for e in tried if not e.exchanged and e.set_of_effects not in displaced):
-            start = known[e.start].fit if e.start else self.ranking.base
-            after = known[e.effects].fit if e.effects in known else start
-            gained = start.residuals["fit"].chi2 - after.residuals["fit"].chi2
-            self._success_shares[len(e.effects)].append(max(gained, 0.0) / max(e.reduction, 1e-300))
-
-    def _success_share(self, count: int) -> float:
-        """What part of an expected reduction may come true: the most that it did of late for as many effects."""
-        late = self._success_shares[count][-CRITERIA.search.together :]
-        return max(late) if len(late) == CRITERIA.search.together else 1.0
 
     # ---- what may be better -----------------------------------------------------------------------------------
 
@@ -232,7 +216,7 @@ class PredictedEvidence:
         chosen: dict[tuple[str, ...], Proposal] = {}
         for threshold in self.ranking.acceptance_thresholds(count, possibly):
             own = [p for p in every if self._may_pass(p, threshold, possibly, noise_floor)]
-            best = self._best_of_families(own)
+            best = self._first_of_families(own)
             if possibly.coloured:
                 best = [
                     p
@@ -241,16 +225,6 @@ class PredictedEvidence:
                 ]
             chosen |= {p.prediction.effects: p for p in best}
         return list(chosen.values())
-
-    def _best_of_families(self, promises: Sequence[Proposal]) -> list[Proposal]:
-        """The most promising ones, one of each set of families; if there are, of sets that were not tried yet.
-
-        What a member of a set did tells more of the others than slopes do, and where it did well, they come as other
-        forms.
-        """
-        tried = {self.ranking.search.families_of(names) for names in self.ranking.attempted}
-        fresh = [p for p in promises if self._families_of(p) not in tried]
-        return self._first_of_families(fresh or promises)
 
     def _families_of(self, p: Proposal) -> frozenset[str]:
         return self.ranking.search.families_of(p.prediction.effects)
@@ -283,51 +257,39 @@ class PredictedEvidence:
         self, p: Proposal, threshold: AcceptanceThreshold, scale: NoiseScale, noise_floor: float
     ) -> bool:
         """Whether a model may come to what is asked of it."""
-        e, trust = p.prediction, self._success_share(len(p.prediction.effects))
-        if not self.ranking.may_be(threshold, e.effects):
+        if not self.ranking.may_be(threshold, p.prediction.effects):
             return False
-        if threshold.reference is not None and not self._expects_large_reduction(
-            threshold.reference, p, trust, noise_floor
-        ):
+        reference = threshold.reference
+        if reference is not None and not self._expects_large_reduction(reference, p, noise_floor):
             return False
-        return (
-            self.predicted_criterion(p, noise_floor, scale, e.reduction, 1 - trust)
-            <= threshold.criterion
-        )
+        hope = self.predicted_criterion(p, noise_floor, scale, p.prediction.reduction, 0.0)
+        return hope <= threshold.criterion
 
     def _expected(self, count: int) -> Iterator[Proposal]:
-        """Models of so many effects from those that were fitted."""
-        first = CRITERIA.search.starts
-        unsolved = self.ranking.unsolved()
-        known = [*self.ranking.parents(), *self.ranking.models(count)[:first]]
-        if unsolved:
-            known += self.ranking.models(count, specific=True)[:first]
+        """Models of so many effects, from those that were fitted with one less."""
+        first, unsolved = CRITERIA.search.starts, self.ranking.unsolved()
         lacking = self.ranking.with_one_less()
+        leading = [*self.ranking.parents(), *self.ranking.models(count - 1)[:first]]
+        if unsolved:
+            leading += self.ranking.models(count - 1, specific=True)[:first]
+        fitted = {c.effects: c for c in (*leading, *lacking.values())}
         starts: list[Candidate | None] = [
-            None,
-            *{c.effects: c for c in (*known, *lacking.values())}.values(),
+            c
+            for effects, c in fitted.items()
+            if len(effects) == count - 1 and (unsolved or effects in lacking)
         ]
-        for c in starts:
-            start, effects = self._start(c), c.effects if c else ()
-            if start.fit.linear is None or len(effects) + 1 < count:
-                continue
-            beside = self._neighbourhood(effects, start.fit.linear)
-            more = count - len(effects)
-            if more == 0 and unsolved:
-                every = beside.with_another_form
-            elif more == 1 and (count == 1 or unsolved or effects in lacking):
-                every = beside.with_one
-            else:
-                continue
-            yield from (Proposal(start, e) for e in every)
+        for c in starts if count > 1 else [None]:
+            start = self._start(c)
+            if start.fit.linear is not None:
+                every = self._neighbourhood(c.effects if c else (), start.fit.linear).with_one
+                yield from (Proposal(start, e) for e in every)
 
-    def _expects_large_reduction(
-        self, best: Candidate, p: Proposal, trust: float, noise_floor: float
-    ) -> bool:
+    @staticmethod
+    def _expects_large_reduction(best: Candidate, p: Proposal, noise_floor: float) -> bool:
         """Whether a model is expected to leave much less than a best one does, which leaves structure."""
         now, own = best.fit.residuals["fit"], p.start.fit.residuals["fit"]
         excess = now.chi2 - noise_floor * now.samples
-        left = own.chi2 - trust * p.prediction.reduction - noise_floor * own.samples
+        left = own.chi2 - p.prediction.reduction - noise_floor * own.samples
         return left < CRITERIA.search.step * excess
 
     # ---- the numbers ------------------------------------------------------------------------------------------
@@ -353,7 +315,7 @@ class PredictedEvidence:
         expected = e.within_bounds if reduction is None else None
         known, penalty = start.evidence(scale)
         known += self.ranking.search.model_space.cost(e.effects)
-        known += self._additional_parameters(e) * penalty
+        known += e.added.cost * penalty
         if expected is not None:
             known += expected.chi2_priors - start.fit.chi2_priors
             reduction = expected.reduction
@@ -361,11 +323,6 @@ class PredictedEvidence:
             return known - start.coloured_gain(expected.residual, scale)
         gained = e.reduction if reduction is None else reduction
         return known - start.expected_gain(gained, scale, noise_floor, lost)
-
-    def _additional_parameters(self, e: PredictedModel) -> int:
-        """How many parameters a model has more than the one that it starts from."""
-        lost = self.ranking.search.cost[e.exchanged] if e.exchanged else 0
-        return e.added.cost - lost
 
     def _optimistic_criterion(self, c: Candidate, scale: NoiseScale, noise_floor: float) -> float:
         """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""

@@ -385,7 +385,6 @@ class _Models:
                 self._record(
                     self.search.fit_briefly([self.predicted.fit_request(e) for e in chosen])
                 )
-                self.predicted.note_outcomes(chosen)
 
     def _finish_within_effort(self, brief: Sequence[Candidate]) -> None:
         """The same as ``_finish``, unless the effort is spent."""
