@@ -29,7 +29,7 @@ FLOORS = (
     {"cosimulation": 19500, "comparison": 18600, "drafting": 41900},
     {"fitting": 26400, "ledger": 20900},
     {"problems": 5200},
-    {"diagnosis": 63900},
+    {"diagnosis": 63300},
     {"reporting": 25000},
     {"study": 19900},
     {"workbench": 29400},
