@@ -130,7 +130,8 @@ def unknown_column(name: str, interface: Interface, time: bool = True) -> str:
 
 
 def _unknown(table: Table, interface: Interface) -> Iterator[str]:
-    return (name for name in table.columns if name not in _headings(interface))
+    headings = _headings(interface)
+    return (name for name in table.columns if name not in headings)
 
 
 def _headings(interface: Interface, time: bool = True) -> dict[str, None]:

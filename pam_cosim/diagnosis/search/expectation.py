@@ -158,21 +158,19 @@ class PredictedModel:
     """A model that nobody fitted: one that was, with a further effect.
 
     Attributes:
-        start: effects of the fitted model that it starts from.
+        beside: the fitted model that it starts from.
         added: what is added.
         reduction: of the sum of squares, beyond what that leaves, if effects were free to bend.
-        beside: the model that is started from.
     """
 
-    start: tuple[str, ...]
+    beside: LinearisedNeighbourhood
     added: EffectDirections
     reduction: float
-    beside: LinearisedNeighbourhood | None = None
 
     @cached_property
     def effects(self) -> tuple[str, ...]:
         """All effects."""
-        return (*self.start, self.added.effect)
+        return (*self.beside.effects, self.added.effect)
 
     @cached_property
     def set_of_effects(self) -> frozenset[str]:
@@ -180,10 +178,8 @@ class PredictedModel:
         return frozenset(self.effects)
 
     @cached_property
-    def within_bounds(self) -> PredictedFit | None:
-        """What is expected when all parameters keep to their bounds; None: it is not known."""
-        if self.beside is None:
-            return None
+    def within_bounds(self) -> PredictedFit:
+        """What is expected when all parameters keep to their bounds."""
         fits = map(self.beside.within_bounds, self.added.shapes)
         return max(fits, key=lambda fit: fit.reduction - fit.chi2_priors)
 
@@ -269,7 +265,4 @@ class LinearisedNeighbourhood:
         additions = zip(self.additions.every, self.additions.at, strict=True)
         further = [(a, at) for a, at in additions if a.family not in taken]
         gains = self._gains([at for _, at in further])
-        return [
-            PredictedModel(self.effects, a, gain, beside=self)
-            for gain, (a, _) in zip(gains, further, strict=True)
-        ]
+        return [PredictedModel(self, a, gain) for gain, (a, _) in zip(gains, further, strict=True)]

@@ -233,8 +233,7 @@ class PredictedEvidence:
         """The most promising ones, one of each set of families."""
         noise_floor, scale = self.ranking.noise_floor(), self.ranking.scale
         possible = [
-            (self.predicted_criterion(p, noise_floor, scale, p.prediction.reduction, 0.0), n)
-            for n, p in enumerate(promises)
+            (self.lowest_criterion(p, noise_floor, scale), n) for n, p in enumerate(promises)
         ]
         by_families: dict[frozenset[str], tuple[float, Proposal]] = {}
         for hope, n in sorted(
@@ -262,8 +261,7 @@ class PredictedEvidence:
         reference = threshold.reference
         if reference is not None and not self._expects_large_reduction(reference, p, noise_floor):
             return False
-        hope = self.predicted_criterion(p, noise_floor, scale, p.prediction.reduction, 0.0)
-        return hope <= threshold.criterion
+        return self.lowest_criterion(p, noise_floor, scale) <= threshold.criterion
 
     def _expected(self, count: int) -> Iterator[Proposal]:
         """Models of so many effects, from those that were fitted with one less."""
@@ -294,35 +292,31 @@ class PredictedEvidence:
 
     # ---- the numbers ------------------------------------------------------------------------------------------
 
-    def predicted_criterion(
-        self,
-        p: Proposal,
-        noise_floor: float,
-        scale: NoiseScale,
-        reduction: float | None = None,
-        lost: float = CRITERIA.search.not_linear,
-    ) -> float:
-        """The evidence that a model which nobody fitted is expected to have.
+    def predicted_criterion(self, p: Proposal, noise_floor: float, scale: NoiseScale) -> float:
+        """The evidence that a model which nobody fitted is expected to have, its parameters within their bounds.
 
         Args:
             p: the model.
             noise_floor: mean square of the noise.
             scale: the scale.
-            reduction: of the squared error; default: that within the bounds of all parameters.
-            lost: share of the reduction that is lost on the way.
         """
-        start, e = p
-        expected = e.within_bounds if reduction is None else None
-        known, penalty = start.evidence(scale)
-        known += self.ranking.search.model_space.cost(e.effects)
-        known += e.added.cost * penalty
-        if expected is not None:
-            known += expected.chi2_priors - start.fit.chi2_priors
-            reduction = expected.reduction
-        if expected is not None and scale.coloured:
-            return known - start.coloured_gain(expected.residual, scale)
-        gained = e.reduction if reduction is None else reduction
-        return known - start.expected_gain(gained, scale, noise_floor, lost)
+        start, fit = p.start, p.prediction.within_bounds
+        criterion = self._without_reduction(p, scale) + (fit.chi2_priors - start.fit.chi2_priors)
+        if scale.coloured:
+            return criterion - start.coloured_gain(fit.residual, scale)
+        return criterion - start.expected_gain(fit.reduction, scale, noise_floor)
+
+    def lowest_criterion(self, p: Proposal, noise_floor: float, scale: NoiseScale) -> float:
+        """The same if effects were free to bend, and nothing of the reduction were lost on the way."""
+        reduction = p.prediction.reduction
+        gain = p.start.expected_gain(reduction, scale, noise_floor, lost=0.0)
+        return self._without_reduction(p, scale) - gain
+
+    def _without_reduction(self, p: Proposal, scale: NoiseScale) -> float:
+        """The evidence against a model that leaves what the one leaves from which it starts."""
+        evidence, penalty = p.start.evidence(scale)
+        choice = self.ranking.search.model_space.cost(p.prediction.effects)
+        return evidence + choice + p.prediction.added.cost * penalty
 
     def _optimistic_criterion(self, c: Candidate, scale: NoiseScale, noise_floor: float) -> float:
         """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""
@@ -333,11 +327,9 @@ class PredictedEvidence:
         """A model to fit: from the fitted one, and the added effect as it was by itself, or as expected."""
         alone = self.ranking.fitted.get((e.added.effect,))
         values = alone.fit.values if alone else {}
-        start = self.ranking.fitted[e.start].fit if e.start else self.ranking.base
-        expected = e.within_bounds
-        return FitRequest(
-            e.effects, values | start.values_and_starts, expected.values if expected else {}
-        )
+        effects = e.beside.effects
+        start = self.ranking.fitted[effects].fit if effects else self.ranking.base
+        return FitRequest(e.effects, values | start.values_and_starts, e.within_bounds.values)
 
     def _start(self, c: Candidate | None) -> Start:
         """A fitted model to start from; None: the base model."""
