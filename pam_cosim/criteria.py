@@ -216,7 +216,7 @@ class SearchCriteria:
     rounds: int = 8
     """rounds | of fits of models with so many effects, at most"""
     starts: int = 12
-    """models | of as many effects, in which the prediction exchanges members of families"""
+    """models | the best with as few effects, which a further effect is added to by prediction"""
     step: float = 0.6
     """of the excess | largest predicted remainder with another effect that is tried"""
     most_effects: int = 8
