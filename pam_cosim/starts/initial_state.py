@@ -5,8 +5,6 @@ The first samples show some of the states. The others follow: they are in equili
 A signal that depends on one state alone shows it: a pressure reading the pressure, a ruler the position. An instrument
 with states of its own, as a delay has, is in equilibrium with its reading. Where the rate of such a state depends on
 one further state alone, the slope of the samples shows that: the speed, or what lies behind the lag of an instrument.
-Of an instrument it may depend on others that are shown: behind a thermometer lies the mass of a gas whose pressure is
-known.
 """
 
 from __future__ import annotations
@@ -209,21 +207,19 @@ def _add_observed_by_rates(
 ) -> None:
     """Adds the states that the rates of those show which are known so far."""
     rates = matrix[signals:]
-    instruments = _states_of_instruments(rates)
 
-    def unknown(i: int) -> list[int]:
-        """The states on which a rate depends, and that nothing shows so far."""
-        return [j for j in _nonzero(rates[i]) if j not in observed_states]
+    def others(i: int) -> list[int]:
+        """The states on which a rate depends besides its own."""
+        return [j for j in _nonzero(rates[i]) if j != i]
 
     def shows(i: int) -> bool:
-        """Whether a rate shows another state: the only other one, or of an instrument the only unknown one."""
-        alone = i in instruments or np.count_nonzero(np.delete(rates[i], i)) == 1
-        return alone and len(unknown(i)) == 1
+        """Whether a rate shows the only other state on which it depends."""
+        return len(others(i)) == 1 and others(i)[0] not in observed_states
 
     waiting = list(observed_states)
     while (by := next((i for i in waiting if shows(i)), None)) is not None:
         waiting.remove(by)
-        observed, (state,) = observed_states[by], unknown(by)
+        observed, (state,) = observed_states[by], others(by)
         predicted_rate = sum(
             rates[by, i] * shown_state.rate for i, shown_state in observed_states.items()
         )
@@ -232,17 +228,3 @@ def _add_observed_by_rates(
             signals + by, observed.rate, 0.0, observed.signal, rate
         )
         waiting.append(state)
-
-
-def _states_of_instruments(rates: Array) -> set[int]:
-    """States that act on nothing but readings, as that of a thermometer does: on no rate but their own, and on those
-    of such states.
-
-    Args:
-        rates: (states, states) slopes of the rates by the states.
-    """
-    states = set[int]()
-    acting = [{*_nonzero(column)} for column in rates.T]
-    while more := {i for i, on in enumerate(acting) if i not in states and on <= {i, *states}}:
-        states |= more
-    return states

@@ -10,12 +10,12 @@ partial model BalancedGasTerm "Gas that keeps books of mass and energy, and a fu
   Types.MassFlowRate m_rate "Rate of the mass";
 initial equation
   if dynamics == Types.Dynamics.SteadyStateInitial then
-    der(m) = 0;
+    der(T) = 0;
   end if;
 equation
-  der(m) = port.m_flow;
   m_rate = port.m_flow;
   p*V = m*Constants.R*T;
+  m*Constants.R*der(T) = V*der(p) + p*der(V) - Constants.R*T*port.m_flow;
   V*der(p) = -Constants.gamma*p*der(V) + (Constants.gamma - 1)*(heatPort.Q_flow + missing + port.H_flow);
   h_wall = h_film;
   p_gauge = p - ambient.p;

@@ -64,19 +64,18 @@ def one_by_one(
     models: list[Candidate] = []
     for k in range(1, len(effects) + 1):
         names, last = tuple(effects[:k]), k == len(effects)
-        own = known.get(names)
-        if own is None or (last and (own.brief or own.general)):
-            own = search.fit_final(names, start) if last else _briefly(search, names, start)
-        if own is not None:
-            known[names] = own
-            models += rank(models[-1].fit if models else base, [own])
+        before = models[-1].fit if models else base
+        model = known.get(names)
+        if last and (model is None or model.brief or model.general):
+            model = search.fit_final(names, start)
+        elif model is None:
+            # without the further effects the parameters are nearer to those of the model before
+            nearest = {**start, **before.values_and_starts}
+            model = next(iter(search.fit_briefly([FitRequest(names, nearest, start)])), None)
+        if model is not None:
+            known[names] = model
+            models += rank(before, [model])
     return models
-
-
-def _briefly(
-    search: Search, effects: tuple[str, ...], start: Mapping[str, float]
-) -> Candidate | None:
-    return next(iter(search.fit_briefly([FitRequest(effects, start)])), None)
 
 
 def with_effects(result: SearchResult, effects: Sequence[str]) -> SearchResult:

@@ -1,12 +1,11 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model ConvectiveGas "Mass and energy balance, with heat exchange that grows with the flow"
-  extends Interfaces.Gas(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
+  extends Interfaces.BalancedGas;
   extends FamilyMember;
   parameter Types.CoefficientOfHeatTransfer h_0(min=0.01, max=500, nominal=10) = 5 "Film coefficient of gas at rest"
     annotation (Dialog(group="Effect"));
   parameter Types.CoefficientOfHeatTransfer h_1(min=0, max=2e3, nominal=10) = 10 "Increase at the reference flow"
     annotation (Dialog(group="Effect"), __PamCosim(at_min="EnergyGas"));
-  Types.Mass m(nominal=1e-3) "Mass of the gas";
   Types.MassFlowRate m_jet(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Flow that the gas still feels";
 protected
   constant Types.MassFlowRate m_reference = 1e-4 "Flow at which h_1 is added";
@@ -14,13 +13,9 @@ protected
   constant Types.MassFlowRate m_smooth = 1e-7 "Flow below which its size is rounded";
 initial equation
   if dynamics == Types.Dynamics.SteadyStateInitial then
-    der(m) = 0;
     der(m_jet) = 0;
   end if;
 equation
-  der(m) = port.m_flow;
-  p*V = m*Constants.R*T;
-  V*der(p) = -Constants.gamma*p*der(V) + (Constants.gamma - 1)*(heatPort.Q_flow + port.H_flow);
   tau_jet*der(m_jet) = port.m_flow - m_jet;
   h_wall = h_0 + h_1*((m_jet^2 + m_smooth^2)/m_reference^2)^0.4;
   annotation (Documentation(info="<html>

@@ -1,18 +1,10 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model EnergyGas "Pressure and temperature from mass and energy, with heat exchange to the wall"
-  extends Interfaces.Gas(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
+  extends Interfaces.BalancedGas;
   extends FamilyMember;
   parameter Types.CoefficientOfHeatTransfer h(min=0.01, max=500, nominal=10) = 10 "Film coefficient at the wall"
     annotation (Dialog(group="Effect"));
-  Types.Mass m(nominal=1e-3) "Mass of the gas";
-initial equation
-  if dynamics == Types.Dynamics.SteadyStateInitial then
-    der(m) = 0;
-  end if;
 equation
-  der(m) = port.m_flow;
-  p*V = m*Constants.R*T;
-  V*der(p) = -Constants.gamma*p*der(V) + (Constants.gamma - 1)*(heatPort.Q_flow + port.H_flow);
   h_wall = h;
   annotation (Documentation(info="<html>
 <p>Ideal gas with mass and energy balance. Source: <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a>

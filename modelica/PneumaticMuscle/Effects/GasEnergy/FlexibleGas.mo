@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model FlexibleGas "Mass and energy balance, with heat exchange that grows with density, temperature difference and flow"
-  extends Interfaces.Gas(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
+  extends Interfaces.BalancedGas;
   extends FamilyMember;
   parameter Types.CoefficientOfHeatTransfer h_0(min=0.01, max=500, nominal=10) = 5 "Film coefficient of gas at rest"
     annotation (Dialog(group="Effect"));
@@ -12,7 +12,6 @@ model FlexibleGas "Mass and energy balance, with heat exchange that grows with d
     annotation (Dialog(group="Effect"));
   parameter Types.Time tau_jet(min=2e-3, max=5, nominal=0.05) = 0.05 "Time constant of the decay of a jet"
     annotation (Dialog(group="Effect"));
-  Types.Mass m(nominal=1e-3) "Mass of the gas";
   outer Ambient ambient "Surroundings";
   Types.MassFlowRate m_jet(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Flow that the gas still feels";
 protected
@@ -22,13 +21,9 @@ protected
   constant Real T_smooth(unit="K") = 1 "Temperature difference below which its size is rounded";
 initial equation
   if dynamics == Types.Dynamics.SteadyStateInitial then
-    der(m) = 0;
     der(m_jet) = 0;
   end if;
 equation
-  der(m) = port.m_flow;
-  p*V = m*Constants.R*T;
-  V*der(p) = -Constants.gamma*p*der(V) + (Constants.gamma - 1)*(heatPort.Q_flow + port.H_flow);
   tau_jet*der(m_jet) = port.m_flow - m_jet;
   h_wall = h_0*exp(n_p*log(max(p, 1.0)/ambient.p)
       + 0.5*n_T*log(((T - ambient.T)^2 + T_smooth^2)/T_reference_difference^2))

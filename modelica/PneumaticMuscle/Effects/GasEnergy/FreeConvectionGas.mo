@@ -1,25 +1,17 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model FreeConvectionGas "Mass and energy balance, with heat exchange by free convection"
-  extends Interfaces.Gas(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
+  extends Interfaces.BalancedGas;
   extends FamilyMember;
   parameter Real c(unit="1", min=1e-3, max=10, nominal=0.1) = 0.13
     "Nusselt number by the third root of the Rayleigh number"
     annotation (Dialog(group="Effect"));
-  Types.Mass m(nominal=1e-3) "Mass of the gas";
   outer Ambient ambient "Surroundings";
 protected
   constant Types.ThermalConductivity k = 0.026 "Thermal conductivity of air";
   constant Real mu(unit="Pa.s") = 1.85e-5 "Viscosity of air";
   constant Real Pr(unit="1") = 0.71 "Prandtl number of air";
   constant Types.Temperature dT_smooth = 0.1 "Difference of temperature below which its size is rounded";
-initial equation
-  if dynamics == Types.Dynamics.SteadyStateInitial then
-    der(m) = 0;
-  end if;
 equation
-  der(m) = port.m_flow;
-  p*V = m*Constants.R*T;
-  V*der(p) = -Constants.gamma*p*der(V) + (Constants.gamma - 1)*(heatPort.Q_flow + port.H_flow);
   h_wall = c*k*(Constants.g*Pr/(mu^2*ambient.T)*(p/(Constants.R*T))^2)^(1/3)*((T - ambient.T)^2 + dT_smooth^2)^(1/6);
   annotation (Documentation(info="<html>
 <p>As <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.EnergyGas\">EnergyGas</a> with Nu = c Ra^(1/3), so that h =

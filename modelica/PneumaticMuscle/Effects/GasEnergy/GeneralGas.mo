@@ -36,13 +36,13 @@ protected
   constant Real T_smooth(unit="K") = 1 "Temperature difference below which its size is rounded";
 initial equation
   if dynamics == Types.Dynamics.SteadyStateInitial then
-    der(m) = 0;
+    der(T) = 0;
     der(m_jet) = 0;
   end if;
 equation
-  der(m) = port.m_flow;
   p*(V - b*m) = m*Constants.R*T;
-  (V - e*b*m)*der(p) = -Constants.gamma*p*(der(V) - b*der(m)) + (Constants.gamma - 1)*(heatPort.Q_flow + port.H_flow);
+  m*Constants.R*der(T) = (V - b*m)*der(p) + p*der(V) - (Constants.R*T + b*p)*port.m_flow;
+  (V - e*b*m)*der(p) = -Constants.gamma*p*(der(V) - b*port.m_flow) + (Constants.gamma - 1)*(heatPort.Q_flow + port.H_flow);
   tau_jet*der(m_jet) = 0.5*((1 + out)*sqrt(port.m_flow^2 + m_smooth^2) + (1 - out)*port.m_flow) - m_jet;
   h_wall = exp(n_T*log(max(T, 1.0)/ambient.T) + n_V*log(V/V_reference))*(h_0*exp(n_p*log(max(p, 1.0)/ambient.p)
       + 0.5*n_d*log(((T - ambient.T)^2 + T_smooth^2)/T_reference_difference^2))

@@ -15,12 +15,12 @@ model RealGas "Mass and energy balance of a gas that is not ideal"
   outer Ambient ambient "Surroundings";
 initial equation
   if dynamics == Types.Dynamics.SteadyStateInitial then
-    der(m) = 0;
+    der(T) = 0;
   end if;
 equation
-  der(m) = port.m_flow;
   p*(V - b*m) = m*Constants.R*T;
-  (V - e*b*m)*der(p) = -Constants.gamma*p*(der(V) - b*der(m)) + (Constants.gamma - 1)*(heatPort.Q_flow + port.H_flow);
+  m*Constants.R*der(T) = (V - b*m)*der(p) + p*der(V) - (Constants.R*T + b*p)*port.m_flow;
+  (V - e*b*m)*der(p) = -Constants.gamma*p*(der(V) - b*port.m_flow) + (Constants.gamma - 1)*(heatPort.Q_flow + port.H_flow);
   h_wall = h*exp(n_p*log(max(p, 1.0)/ambient.p));
   annotation (Documentation(info="<html>
 <p>As <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.EnergyGas\">EnergyGas</a> with p (V - b m) = m R T, that is
