@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.description.learning import LearnedTerm, learn, try_learned
 from pam_cosim.diagnosis.judgement.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.judgement.events import Remark
 from pam_cosim.diagnosis.judgement.evidence import rank
+from pam_cosim.diagnosis.judgement.verdict import explained
 from pam_cosim.diagnosis.search.effort import Effort
 from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.errors import InputError
@@ -59,8 +61,9 @@ def described(
 ) -> LearnedModel | None:
     """The model with a learned formula, in addition to effects or alone: the one with the smaller residual.
 
-    Effects that leave structure may stand in for what is missing, and then hide its course. It is looked for where the
-    ledger fails, if there is one, and takes at most a part of the effort of the search.
+    Effects that leave structure may stand in for what is missing, and then hide how it changes: the formula is looked
+    for alone too, unless the effects leave too little for that to be better. It is looked for where the ledger fails,
+    if there is one, and takes at most a part of the effort of the search. None: no formula leaves less than the effects.
 
     Args:
         search: whose effort it is a part of.
@@ -70,9 +73,12 @@ def described(
     effort, balances = search.effort.part(_PART), suspected(ledger) if ledger else ()
     if ledger is not None and ledger.failing and not balances:
         return None  # an instrument has no term
-    starts = [(effects, present), ((), base)] if effects else [((), base)]
-    descriptions = (_learned(search, balances, *start, effort) for start in starts)
-    return min(filter(None, descriptions), key=lambda d: remaining_chi2(d.model.fit), default=None)
+    starts = [(effects, present)]
+    if effects and explained(base, present) < 1 - CRITERIA.evidence.least_share:
+        starts.append(((), base))
+    learned = filter(None, (_learned(search, balances, *start, effort) for start in starts))
+    best = min(learned, key=lambda d: remaining_chi2(d.model.fit), default=None)
+    return best if best and remaining_chi2(best.model.fit) < remaining_chi2(present) else None
 
 
 def suspected(ledger: Ledger) -> tuple[str, ...]:
