@@ -27,7 +27,7 @@ def looked(
     own = np.linalg.qr(BASE)[0]
     goal = left - own @ (own.T @ left)
     return [
-        (look.strength, look.left / float(goal @ goal))
+        (look.strength, look.remaining / float(goal @ goal))
         for look in probing._strength_trials(lambda s: left - does(s), base, signed)
     ]
 

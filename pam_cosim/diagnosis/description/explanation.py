@@ -63,7 +63,7 @@ def described(
 
     Effects that leave structure may stand in for what is missing, and then hide how it changes: the formula is looked
     for alone too, unless the effects leave too little for that to be better. It is looked for where the ledger fails,
-    if there is one, and takes at most a part of the effort of the search. None: no formula leaves less than the effects.
+    if there is one, and takes at most a part of the effort of the search. None: none leaves less than the effects.
 
     Args:
         search: whose effort it is a part of.

@@ -97,14 +97,14 @@ class Description:
 
     Attributes:
         score, fit_score: as of ``LearnedTerm``.
-        left: mean square of the residuals of runs left out, in noise variances.
+        remaining_square: mean square of the residuals of runs left out, in noise variances.
     """
 
     place: TermPlace
     addends: tuple[Addend, ...]
     score: float
     fit_score: float
-    left: float
+    remaining_square: float
 
     def with_part(self, part: float) -> Description:
         """The same with a part of its coefficients, where a fit may start from; their bounds stay."""
@@ -156,7 +156,7 @@ def learn(
             continue  # this balance cannot be opened in this model; others may
         if description is not None:
             descriptions.append(description)
-    return min(descriptions, key=lambda d: d.left, default=None)
+    return min(descriptions, key=lambda d: d.remaining_square, default=None)
 
 
 def try_learned(

@@ -17,16 +17,16 @@ class ModelSpace:
     """How many sets of effects there are to choose from, which is what a choice among them costs.
 
     Attributes:
-        every: number of effects. expected: names of those that are likely: they are chosen from among themselves.
+        count: of effects. expected: names of those that are likely: they are chosen from among themselves.
     """
 
-    every: int
+    count: int
     expected: frozenset[str] = frozenset()
 
     def cost(self, effects: Collection[str]) -> float:
         """Twice the logarithm of the number of such sets (extended criterion, Chen and Chen 2008)."""
         likely = sum(name in self.expected for name in effects) if self.expected else 0
-        return _cost(self.every, len(self.expected), likely, len(effects) - likely)
+        return _cost(self.count, len(self.expected), likely, len(effects) - likely)
 
 
 @cache

@@ -122,7 +122,7 @@ class _Search:
     rivals: Rivals
     moves: Moves
     rng: Random
-    known: Array | float = 0.0
+    information: Array | float = 0.0
     tried: int = 0
 
     def best(self, names: Sequence[str]) -> PlannedRun:
@@ -162,7 +162,7 @@ class _Search:
         return None if separations is None else (soft_minimum(self._total(separations)), course)
 
     def _total(self, separations: Array) -> Array:
-        return np.asarray(separations + self.known)
+        return np.asarray(separations + self.information)
 
     def _planned(self, course: Course, names: Sequence[str], at_random: float) -> PlannedRun:
         run = self.rivals.run_of(course)
@@ -172,7 +172,7 @@ class _Search:
                 "the best input trajectory could be simulated with few samples, but not with all samples"
             )
         separations = self.rivals.separations(predictions)
-        self.known = self._total(separations)
+        self.information = self._total(separations)
         rows = len(run.time)
         predicted = {
             name: {

@@ -192,7 +192,7 @@ class Rows:
 
     def _moves(self, probe: StatedEffect) -> Array:
         """(rows, 1 + k) what an effect does as a whole at its stated strength, and by each of its parameters."""
-        names = {f.name for f in probe.strengths.own}
+        names = {f.name for f in probe.strengths.parameters}
         columns = [i for i, name in enumerate(probe.linear.names) if name in names]
         return np.column_stack([probe.courses(self.base)[:, 0], probe.linear.slopes[:, columns]])
 
@@ -220,7 +220,7 @@ class Rows:
     ) -> list[ConfusedPair]:
         """Pairs of visible families of which one may be taken for the other, the worse way round."""
         strengths_of_effect = {p.effect: p.strengths for p in self.probes}
-        count = {name: len(strengths.own) for name, strengths in strengths_of_effect.items()}
+        count = {name: len(strengths.parameters) for name, strengths in strengths_of_effect.items()}
         spaces = {p.effect: _orthonormal(moves[p.effect]) for p in self.probes}
         worst: dict[frozenset[str], ConfusedPair] = {}
         for family, best in result.families.items():
@@ -251,7 +251,9 @@ def _sizes(courses: Array) -> list[float]:
 
 def _detectability(probe: StatedEffect, sizes: Sequence[float], price: float) -> DetectableEffect:
     """How well an effect is shown that has these sizes, as ``probing.detectable_strength`` takes them."""
-    required_size = math.sqrt(CRITERIA.evidence.very_strong + price * len(probe.strengths.own))
+    required_size = math.sqrt(
+        CRITERIA.evidence.very_strong + price * len(probe.strengths.parameters)
+    )
     least = max(detectable_strength(sizes, required_size), WEAKEST)
     if not probe.strengths.within_bounds(least):
         least = math.inf
@@ -263,7 +265,7 @@ def _detectability(probe: StatedEffect, sizes: Sequence[float], price: float) ->
         least,
         values,
         absent,
-        {f.name: f.unit for f in probe.strengths.own},
+        {f.name: f.unit for f in probe.strengths.parameters},
     )
 
 

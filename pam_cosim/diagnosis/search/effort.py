@@ -44,8 +44,8 @@ class Effort:
 
     def part(self, share: float) -> Effort:
         """An effort that may take so much of what this one took, and ends with it."""
-        left = min(share * self.simulations, self.most_simulations - self.simulations)
-        return Effort(self.deadline, left)
+        simulations_left = min(share * self.simulations, self.most_simulations - self.simulations)
+        return Effort(self.deadline, simulations_left)
 
     def bounded(self, options: FitOptions) -> FitOptions:
         """Options of a fit that ends where this effort is spent, and looks for no other place to start from."""

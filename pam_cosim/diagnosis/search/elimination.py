@@ -50,7 +50,7 @@ def elimination(
     """
     together = _samples_of_one(linear)
     of_parameter = log(max(len(linear.residual) / together, CRITERIA.evidence.least_samples))
-    cost = {e: price + of_parameter * len(own) for e, own in parameters.items()}
+    cost = {e: price + of_parameter * len(names) for e, names in parameters.items()}
     values = dict(zip(linear.names, linear.values.tolist(), strict=True))
 
     def remaining(effects: Sequence[str]) -> float:
@@ -58,13 +58,13 @@ def elimination(
         return fitted_with(linear, fixed)[1] / (misfit * together)
 
     kept = [*parameters]
-    now = remaining(kept)
+    criterion = remaining(kept)
     while removable := [e for e in kept if any(n in absent for n in parameters[e])]:
         without = {e: remaining([n for n in kept if n != e]) for e in removable}
         first = min(removable, key=lambda e: (without[e] - cost[e], e))
-        yield first, without[first] - now - cost[first]
+        yield first, without[first] - criterion - cost[first]
         kept.remove(first)
-        now = without[first]
+        criterion = without[first]
 
 
 def left_out(
@@ -83,8 +83,8 @@ def left_out(
     """
     return {
         n: absent.get(n, values[n])
-        for e, own in parameters.items()
-        for n in own
+        for e, names in parameters.items()
+        for n in names
         if e not in kept and n in values
     }
 
@@ -98,8 +98,8 @@ def fitted_with(linear: Linear, fixed: Mapping[str, float]) -> tuple[dict[str, f
     change = np.array(
         [fixed.get(n, v) - v for n, v in zip(linear.names, linear.values, strict=True)]
     )
-    known, pull = prior_rows(linear.names, linear.values, linear.priors)
-    rows = np.vstack([linear.slopes, np.diag(known)])
+    weights, pull = prior_rows(linear.names, linear.values, linear.priors)
+    rows = np.vstack([linear.slopes, np.diag(weights)])
     wanted = np.append(linear.residual, pull) - rows @ change
     step = bounded_least_squares(
         rows[:, moved],
@@ -107,10 +107,10 @@ def fitted_with(linear: Linear, fixed: Mapping[str, float]) -> tuple[dict[str, f
         np.minimum(linear.low - linear.values, 0.0)[moved],
         np.maximum(linear.high - linear.values, 0.0)[moved],
     )
-    left = (wanted - rows[:, moved] @ step)[: len(linear.residual)]
+    residual = (wanted - rows[:, moved] @ step)[: len(linear.residual)]
     change[moved] = step
     values = linear.values + change
-    return dict(zip(linear.names, values.tolist(), strict=True)), float(left @ left)
+    return dict(zip(linear.names, values.tolist(), strict=True)), float(residual @ residual)
 
 
 def _samples_of_one(linear: Linear) -> float:
@@ -119,7 +119,7 @@ def _samples_of_one(linear: Linear) -> float:
     series = [
         linear.residual[end - n : end] for (_, n), end in zip(linear.series, ends, strict=True)
     ]
-    together = sum(float(one[1:] @ one[:-1]) for one in series)
+    together = sum(float(residuals[1:] @ residuals[:-1]) for residuals in series)
     squares = max(float(linear.residual @ linear.residual), 1e-300)
     share = min(max(together / squares, 0.0), CRITERIA.residuals.reddest)
     return (1 + share) / (1 - share)

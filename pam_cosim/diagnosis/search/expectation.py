@@ -50,7 +50,7 @@ class EffectShape:
 
     Attributes:
         names: of the parameters; ``values``, ``low`` and ``high`` (k,) [SI].
-        whole: (m,) what it does at these values. slopes: (m, k).
+        total: (m,) what it does at these values. slopes: (m, k).
         priors: what is known of parameters beforehand, by name.
     """
 
@@ -58,7 +58,7 @@ class EffectShape:
     values: Array
     low: Array
     high: Array
-    whole: Array
+    total: Array
     slopes: Array
     priors: Mapping[str, Prior] = field(default_factory=dict)
 
@@ -67,17 +67,17 @@ class Additions:
     """All that effects can add, and how alike that is.
 
     Args:
-        every: what each can add. rows: m, in which that is reckoned.
+        directions: what each can add. rows: m, of the linear models.
     """
 
-    def __init__(self, every: Sequence[EffectDirections], rows: int) -> None:
-        self.every = list(every)
-        self.columns = np.column_stack([np.zeros((rows, 0)), *(a.columns for a in every)])
-        ends = np.cumsum([0, *(a.columns.shape[1] for a in every)]).tolist()
+    def __init__(self, directions: Sequence[EffectDirections], rows: int) -> None:
+        self.directions = list(directions)
+        self.columns = np.column_stack([np.zeros((rows, 0)), *(a.columns for a in directions)])
+        ends = np.cumsum([0, *(a.columns.shape[1] for a in directions)]).tolist()
         self.at = [np.arange(a, b) for a, b in itertools.pairwise(ends)]
         self.gram = self.columns.T @ self.columns
-        shapes = [shape for a in every for shape in a.shapes]
-        parts = [np.column_stack([s.slopes, s.whole]) for s in shapes]
+        shapes = [shape for a in directions for shape in a.shapes]
+        parts = [np.column_stack([s.slopes, s.total]) for s in shapes]
         self.moves = np.column_stack([np.zeros((rows, 0)), *parts])
         self.gram_of_moves = self.moves.T @ self.moves
         begin = np.cumsum([0, *(part.shape[1] for part in parts)]).tolist()
@@ -97,10 +97,10 @@ def addition(
         probe: what it does there.
         fitted: the base model and that with this effect alone, where it was fitted, of the samples of now.
     """
-    known = [(probed_beside, probe.linear), *([fitted] if fitted else [])]
-    shapes = tuple(_shape(beside, linear, probe.own_parameters) for beside, linear in known)
-    columns = [part for shape in shapes for part in (shape.slopes, shape.whole[:, None])]
-    columns += [(probed_beside.residual - r)[:, None] for r in probe.further]
+    pairs = [(probed_beside, probe.linear), *([fitted] if fitted else [])]
+    shapes = tuple(_shape(beside, linear, probe.own_parameters) for beside, linear in pairs)
+    columns = [part for shape in shapes for part in (shape.slopes, shape.total[:, None])]
+    columns += [(probed_beside.residual - r)[:, None] for r in probe.other_residuals]
     basis = _orthonormal(np.column_stack(columns))
     cost = max(len(probe.own_parameters) - len(probe.inactive_parameters), 1)
     return (
@@ -110,12 +110,12 @@ def addition(
     )
 
 
-def _shape(base: Linear, linear: Linear, own: Sequence[str]) -> EffectShape:
+def _shape(base: Linear, linear: Linear, own_parameters: Sequence[str]) -> EffectShape:
     """What an effect does by itself: its model less the base model at the same base parameters."""
     values = dict(zip(linear.names, linear.values, strict=True))
     change = np.array([values.get(n, v) - v for n, v in zip(base.names, base.values, strict=True)])
-    whole: Array = base.residual - base.slopes @ change - linear.residual
-    at = [i for i, name in enumerate(linear.names) if name in own]
+    total: Array = base.residual - base.slopes @ change - linear.residual
+    at = [i for i, name in enumerate(linear.names) if name in own_parameters]
     names = tuple(linear.names[i] for i in at)
     priors = {name: linear.priors[name] for name in names if name in linear.priors}
     return EffectShape(
@@ -123,7 +123,7 @@ def _shape(base: Linear, linear: Linear, own: Sequence[str]) -> EffectShape:
         linear.values[at],
         linear.low[at],
         linear.high[at],
-        whole,
+        total,
         linear.slopes[:, at],
         priors,
     )
@@ -133,8 +133,8 @@ def _orthonormal(columns: Array) -> Array:
     size = np.linalg.norm(columns, axis=0)
     kept = columns[:, size > _WEAK * max(size.max(initial=0.0), 1e-300)]
     kept = kept / np.linalg.norm(kept, axis=0)
-    left, singular, _ = np.linalg.svd(kept, full_matrices=False)
-    return np.asarray(left[:, singular > _NOTHING_NEW * max(singular.max(initial=0.0), 1e-300)])
+    vectors, singular, _ = np.linalg.svd(kept, full_matrices=False)
+    return np.asarray(vectors[:, singular > _NOTHING_NEW * max(singular.max(initial=0.0), 1e-300)])
 
 
 class PredictedFit(NamedTuple):
@@ -203,11 +203,11 @@ class LinearisedNeighbourhood:
     ) -> None:
         self.effects, self.family, self.additions = effects, family, additions
         self._linear = linear
-        known = np.column_stack([linear.slopes, linear.residual])
-        self._known, self._cross = known.T @ known, known.T @ additions.moves
-        own = _orthonormal(linear.movable)
-        left = linear.residual - own @ (own.T @ linear.residual)
-        shared, self._along = own.T @ additions.columns, additions.columns.T @ left
+        columns = np.column_stack([linear.slopes, linear.residual])
+        self._known, self._cross = columns.T @ columns, columns.T @ additions.moves
+        basis = _orthonormal(linear.movable)
+        unreachable = linear.residual - basis @ (basis.T @ linear.residual)
+        shared, self._along = basis.T @ additions.columns, additions.columns.T @ unreachable
         self._gram = additions.gram - shared.T @ shared + _NOTHING_NEW * np.eye(len(self._along))
 
     def _gains(self, places: Sequence[Array]) -> list[float]:
@@ -222,16 +222,16 @@ class LinearisedNeighbourhood:
             steps = np.linalg.solve(self._gram[at[:, :, None], at[:, None, :]], along[:, :, None])[
                 :, :, 0
             ]
-            for n, one, step in zip(numbers, along, steps, strict=True):
-                gains[n] = float(one @ step)
+            for n, gradient, step in zip(numbers, along, steps, strict=True):
+                gains[n] = float(gradient @ step)
         return gains
 
     def within_bounds(self, shape: EffectShape) -> PredictedFit:
         """With an effect of this shape."""
-        own, k = self._linear, len(self._linear.names)
+        linear, k = self._linear, len(self._linear.names)
         begin = self.additions.begin[id(shape)]
-        whole = begin + len(shape.names)
-        slopes = slice(begin, whole)
+        end = begin + len(shape.names)
+        slopes = slice(begin, end)
         gram, cross = self.additions.gram_of_moves, self._cross
         square = np.block(
             [
@@ -239,30 +239,31 @@ class LinearisedNeighbourhood:
                 [cross[:k, slopes].T, gram[slopes, slopes]],
             ]
         )
-        along = np.append(
-            self._known[:k, k] - cross[:k, whole], cross[k, slopes] - gram[slopes, whole]
-        )
-        values = np.concatenate([own.values, shape.values])
-        low = np.concatenate([own.low, shape.low]) - values
-        high = np.concatenate([own.high, shape.high]) - values
-        names, priors = (*own.names, *shape.names), {**own.priors, **shape.priors}
-        known, pull = prior_rows(names, values, priors)
+        along = np.append(self._known[:k, k] - cross[:k, end], cross[k, slopes] - gram[slopes, end])
+        values = np.concatenate([linear.values, shape.values])
+        low = np.concatenate([linear.low, shape.low]) - values
+        high = np.concatenate([linear.high, shape.high]) - values
+        names, priors = (*linear.names, *shape.names), {**linear.priors, **shape.priors}
+        weights, pull = prior_rows(names, values, priors)
         step = bounded_minimum(
-            square + np.diag(known**2), along + known * pull, low, high, _NOTHING_NEW**2
+            square + np.diag(weights**2), along + weights * pull, low, high, _NOTHING_NEW**2
         )
-        gained = 2 * float(cross[k, whole]) - float(gram[whole, whole])
+        gained = 2 * float(cross[k, end]) - float(gram[end, end])
         gained += float(step @ (2 * along - square @ step))
         by_name = dict(zip(names, (values + step).tolist(), strict=True))
         off = sum(prior.surprise(by_name[n]) ** 2 for n, prior in priors.items())
         moves = self.additions.moves
-        moved = own.slopes @ step[:k] + moves[:, slopes] @ step[k:] + moves[:, whole]
-        return PredictedFit(max(gained, 0.0), by_name, off, own.residual - moved)
+        moved = linear.slopes @ step[:k] + moves[:, slopes] @ step[k:] + moves[:, end]
+        return PredictedFit(max(gained, 0.0), by_name, off, linear.residual - moved)
 
     @cached_property
     def with_one(self) -> list[PredictedModel]:
         """One further effect of another family."""
         taken = {self.family[e] for e in self.effects}
-        additions = zip(self.additions.every, self.additions.at, strict=True)
-        further = [(a, at) for a, at in additions if a.family not in taken]
-        gains = self._gains([at for _, at in further])
-        return [PredictedModel(self, a, gain) for gain, (a, _) in zip(gains, further, strict=True)]
+        additions = zip(self.additions.directions, self.additions.at, strict=True)
+        of_other_families = [(a, at) for a, at in additions if a.family not in taken]
+        gains = self._gains([at for _, at in of_other_families])
+        return [
+            PredictedModel(self, a, gain)
+            for gain, (a, _) in zip(gains, of_other_families, strict=True)
+        ]

@@ -89,7 +89,7 @@ def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fi
     text = f"leaving out runs in turn, in {len(data)} folds: which effects are needed in all?"
     search.say(Remark(text).message)
     results = fold_results(search, data, tuple(effects), final)
-    needed = {e: sum(one.needs(e) for one in results) for e in effects}
+    needed = {e: sum(result.needs(e) for result in results) for e in effects}
     ratios = {e: final.values[e] for e in effects if is_ratio(e) and e in final.values}
     limit = CRITERIA.folds.believable
     unbelievable = {e: r for e, r in ratios.items() if not 1 / limit <= r <= limit}
@@ -99,9 +99,9 @@ def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fi
     elif named != tuple(effects):
         results = fold_results(search, data, named, final)
     errors: dict[str, list[tuple[float, tuple[str, ...]]]] = {}
-    for one in results:
-        for name, rmse in one.errors.items():
-            errors.setdefault(name, []).append((rmse, one.runs))
+    for result in results:
+        for name, rmse in result.errors.items():
+            errors.setdefault(name, []).append((rmse, result.runs))
     middle = {n: float(np.median([rmse for rmse, _ in each])) for n, each in errors.items()}
     worst = {name: max(each) for name, each in errors.items()}
     return Folds(len(data), needed, unbelievable, middle, worst)
@@ -114,8 +114,8 @@ def fold_results(
     members = tuple(map(search.effect, effects))
     trials = [
         FoldTrial(trial, members)
-        for one in data
-        for trial in replace(search, data=one).brief_trials(
+        for fold in data
+        for trial in replace(search, data=fold).brief_trials(
             [FitRequest(effects, final.values_and_starts)]
         )
     ]
@@ -128,13 +128,13 @@ def fold_results(
 def base_results(subject: Subject, search: Search, data: Sequence[DataSet]) -> list[FoldResult]:
     """The base model in each fold; without those in which it breaks down."""
     results = []
-    for one in data:
+    for fold in data:
         with (
             suppress(SimulationFailure),
             search.effort.counting(),
             subject.simulator() as simulator,
         ):
-            results.append(_result(fit(simulator, one, options=FitOptions(rules=False)), {}))
+            results.append(_result(fit(simulator, fold, options=FitOptions(rules=False)), {}))
     return results
 
 
@@ -161,12 +161,12 @@ def _left_out(fold: FoldTrial, trial: Trial, simulator: Simulator) -> FoldResult
     begins = begin_of(trial, simulator.interface)
     best = fit(simulator, trial.data, moved, fixed=begins, options=trial.options)
     without = {}
-    own = trial.composition.parameters
+    parameters = trial.composition.parameters
     for effect in fold.members:
-        absent = values_of_absence([effect], own)
+        absent = values_of_absence([effect], parameters)
         if absent and best.linear is not None:
-            others = own.keys() - {effect.name}
-            values, _ = fitted_with(best.linear, left_out(others, own, best.values, absent))
+            kept = parameters.keys() - {effect.name}
+            values, _ = fitted_with(best.linear, left_out(kept, parameters, best.values, absent))
             without[effect.name] = _excess(_judged(simulator, trial.data, best.values | values))
     return _result(best, without)
 
@@ -185,8 +185,8 @@ def _judged(simulator: Simulator, data: DataSet, values: Mapping[str, float]) ->
     """The runs that were left out, with given parameters [SI]."""
     held = replace(data, runs=tuple(data.holdout_runs))
     starts = estimated_starts(simulator, data, held.runs, values, second_look=False)
-    every = {**values, **{name: e.value for name, e in starts.items()}}
-    return compare(simulator, held, every, rules=False)
+    values_and_starts = {**values, **{name: e.value for name, e in starts.items()}}
+    return compare(simulator, held, values_and_starts, rules=False)
 
 
 def _excess(comparison: Comparison) -> float:

@@ -82,20 +82,20 @@ def run_full(full: FullTrial) -> FullModel | FailedTrial:
 
 def _reduced(full: FullTrial, trial: Trial, simulator: Simulator) -> FullModel:
     absent = values_of_absence(full.members, trial.composition.parameters)
-    owned = {n for own in trial.composition.parameters.values() for n in own}
+    owned = {n for names in trial.composition.parameters.values() for n in names}
     free = [
         near_absence(f, absent.get(f.name))
         if f.name in owned
         else f.starting_at(trial.start.get(f.name, f.start))
         for f in every_parameter(trial.data, trial.composition, simulator.interface)
     ]
-    own, effects = trial.composition.parameters, tuple(e.name for e in full.members)
+    names_of, effects = trial.composition.parameters, tuple(e.name for e in full.members)
     misfit, held = full.misfit, dict[str, float]()
     begins: Mapping[str, float] = begin_of(trial, simulator.interface)
     while True:
         linear, misfit, begins = _fitted(simulator, trial, free, {**begins, **held}, misfit)
         values = dict(zip(linear.names, linear.values.tolist(), strict=True))
-        parameters = {e: own[e] for e in effects}
+        parameters = {e: names_of[e] for e in effects}
         needed = needed_effects(linear, parameters, absent, misfit, full.price)
         if needed == effects:
             return FullModel(effects, {**values, **begins}, misfit)

@@ -52,8 +52,8 @@ class Start:
     def evidence(self, scale: NoiseScale) -> tuple[float, float]:
         """The evidence against it, but for how many sets of effects there are; and what a parameter costs."""
         if scale not in self._evidence:
-            known = evidence_without_choice(self.fit, scale, self.candidate)
-            self._evidence[scale] = known, scale.penalty(self.fit)
+            evidence = evidence_without_choice(self.fit, scale, self.candidate)
+            self._evidence[scale] = evidence, scale.penalty(self.fit)
         return self._evidence[scale]
 
     def expected_gain(
@@ -67,14 +67,14 @@ class Start:
 
         The error of the other runs is expected to fall as that of the fitted ones does; neither falls below the noise.
         """
-        left = 1 - (1 - lost) * reduction / self._fitted_chi2
-        after = [min(chi2, max(left * chi2, noise_floor * n)) for chi2, n in self._residuals]
+        share = 1 - (1 - lost) * reduction / self._fitted_chi2
+        after = [min(chi2, max(share * chi2, noise_floor * n)) for chi2, n in self._residuals]
         if scale.coloured:
             # as if no colour made up for what is gone
-            both = zip(self._residuals, after, strict=True)
+            pairs = zip(self._residuals, after, strict=True)
             return sum(
                 _white_deviance(now, n, scale) - _white_deviance(then, n, scale)
-                for (now, n), then in both
+                for (now, n), then in pairs
             )
         return (
             sum(now - then for (now, _), then in zip(self._residuals, after, strict=True))
@@ -145,8 +145,8 @@ class PredictedEvidence:
     def note_probes_beside(self, c: Candidate, probes: Sequence[EffectProbe]) -> None:
         """Takes note of what effects do beside another model, besides those that were looked at there before."""
         assert c.fit.linear is not None
-        own = self._probes_beside.setdefault(c.effects, {})
-        own |= {a.effect: a for p in probes if (a := addition(c.fit.linear, p)) is not None}
+        directions = self._probes_beside.setdefault(c.effects, {})
+        directions |= {a.effect: a for p in probes if (a := addition(c.fit.linear, p)) is not None}
 
     def probed_beside(self, effects: tuple[str, ...]) -> Mapping[str, EffectDirections]:
         """The effects that were looked at beside a model."""
@@ -168,9 +168,9 @@ class PredictedEvidence:
         start = self._start(c)
         assert start.fit.linear is not None
         noise_floor, scale = self.ranking.noise_floor(), self.ranking.scale
-        every = self._neighbourhood(c.effects if c else (), start.fit.linear).with_one
+        models = self._neighbourhood(c.effects if c else (), start.fit.linear).with_one
         return sorted(
-            every,
+            models,
             key=lambda e: (
                 self.predicted_criterion(Proposal(start, e), noise_floor, scale),
                 e.effects,
@@ -212,11 +212,11 @@ class PredictedEvidence:
             self.ranking.noise_floor(),
             self.ranking.attempted | self.ranking.search.displaced,
         )
-        every = [p for p in self._expected(count) if p.prediction.set_of_effects not in tried]
+        untried = [p for p in self._expected(count) if p.prediction.set_of_effects not in tried]
         chosen: dict[tuple[str, ...], Proposal] = {}
         for threshold in self.ranking.acceptance_thresholds(count, possibly):
-            own = [p for p in every if self._may_pass(p, threshold, possibly, noise_floor)]
-            best = self._first_of_families(own)
+            passing = [p for p in untried if self._may_pass(p, threshold, possibly, noise_floor)]
+            best = self._first_of_families(passing)
             if possibly.coloured:
                 best = [
                     p
@@ -243,10 +243,10 @@ class PredictedEvidence:
             if len(first) == CRITERIA.search.together and hope > first[-1]:
                 break  # no further one can be as good as these
             p = promises[n]
-            own = self.predicted_criterion(p, noise_floor, scale)
+            criterion = self.predicted_criterion(p, noise_floor, scale)
             families = self._families_of(p)
-            if families not in by_families or own < by_families[families][0]:
-                by_families[families] = (own, p)
+            if families not in by_families or criterion < by_families[families][0]:
+                by_families[families] = (criterion, p)
         ordered = sorted(
             by_families.values(), key=lambda entry: (entry[0], entry[1].prediction.effects)
         )
@@ -279,16 +279,18 @@ class PredictedEvidence:
         for c in starts if count > 1 else [None]:
             start = self._start(c)
             if start.fit.linear is not None:
-                every = self._neighbourhood(c.effects if c else (), start.fit.linear).with_one
-                yield from (Proposal(start, e) for e in every)
+                models = self._neighbourhood(c.effects if c else (), start.fit.linear).with_one
+                yield from (Proposal(start, e) for e in models)
 
     @staticmethod
     def _expects_large_reduction(best: Candidate, p: Proposal, noise_floor: float) -> bool:
         """Whether a model is expected to leave much less than a best one does, which leaves structure."""
-        now, own = best.fit.residuals["fit"], p.start.fit.residuals["fit"]
-        excess = now.chi2 - noise_floor * now.samples
-        left = own.chi2 - p.prediction.reduction - noise_floor * own.samples
-        return left < CRITERIA.search.step * excess
+        best_residuals, start_residuals = best.fit.residuals["fit"], p.start.fit.residuals["fit"]
+        excess = best_residuals.chi2 - noise_floor * best_residuals.samples
+        expected_excess = (
+            start_residuals.chi2 - p.prediction.reduction - noise_floor * start_residuals.samples
+        )
+        return expected_excess < CRITERIA.search.step * excess
 
     # ---- the numbers ------------------------------------------------------------------------------------------
 
@@ -334,10 +336,10 @@ class PredictedEvidence:
     def _start(self, c: Candidate | None) -> Start:
         """A fitted model to start from; None: the base model."""
         effects, fit = (c.effects, c.fit) if c else ((), self.ranking.base)
-        known = self._starts.get(effects)
-        if known is None or known.fit is not fit or known.candidate is not c:
-            self._starts[effects] = known = Start(fit, c)
-        return known
+        start = self._starts.get(effects)
+        if start is None or start.fit is not fit or start.candidate is not c:
+            self._starts[effects] = start = Start(fit, c)
+        return start
 
     def _additions(self) -> Additions:
         """What the effects can add to the base model, as far as probes and fits tell by now."""
@@ -345,28 +347,32 @@ class PredictedEvidence:
         assert base.linear is not None and probed_beside is not None
         alone = [self.ranking.fitted.get((p.effect,)) for p in self._base_probes]
         fits = [base, *(c.fit if c else None for c in alone)]
-        known = self._base_additions
-        if known is None or [*map(id, known[0])] != [*map(id, fits)]:
-            made = [
+        cached = self._base_additions
+        if cached is None or [*map(id, cached[0])] != [*map(id, fits)]:
+            directions = [
                 addition(probed_beside, p, (base.linear, f.linear) if f and f.linear else None)
                 for p, f in zip(self._base_probes, fits[1:], strict=True)
             ]
-            additions = Additions([a for a in made if a is not None], len(base.linear.residual))
-            self._base_additions = known = (fits, additions)
-        return known[1]
+            additions = Additions(
+                [a for a in directions if a is not None], len(base.linear.residual)
+            )
+            self._base_additions = cached = (fits, additions)
+        return cached[1]
 
     def _neighbourhood(self, effects: tuple[str, ...], linear: Linear) -> LinearisedNeighbourhood:
         """What can be added to a fitted model: as looked at beside it, or else as by itself."""
-        additions, own = self._additions(), self._probes_beside.get(effects)
-        if own:
+        additions, probed = self._additions(), self._probes_beside.get(effects)
+        if probed:
             merged = self._merged.get(effects)
-            if merged is None or merged[0] is not additions or merged[1] != len(own):
-                every = {a.effect: a for a in additions.every} | own
-                whole = Additions([*every.values()], len(linear.residual))
-                self._merged[effects] = merged = (additions, len(own), whole)
+            if merged is None or merged[0] is not additions or merged[1] != len(probed):
+                by_effect = {a.effect: a for a in additions.directions} | probed
+                all_additions = Additions([*by_effect.values()], len(linear.residual))
+                self._merged[effects] = merged = (additions, len(probed), all_additions)
             additions = merged[2]
-        known = self._neighbourhoods.get(effects)
-        if known is None or known[0] is not linear or known[1] is not additions:
-            made = LinearisedNeighbourhood(effects, linear, self.ranking.search.family, additions)
-            self._neighbourhoods[effects] = known = (linear, additions, made)
-        return known[2]
+        cached = self._neighbourhoods.get(effects)
+        if cached is None or cached[0] is not linear or cached[1] is not additions:
+            neighbourhood = LinearisedNeighbourhood(
+                effects, linear, self.ranking.search.family, additions
+            )
+            self._neighbourhoods[effects] = cached = (linear, additions, neighbourhood)
+        return cached[2]

@@ -24,7 +24,7 @@ class EffectProbe:
         effect, family: as its class declares them.
         own_parameters: names of the parameters that it brought.
         linear: the model with it about the fitted base model and the strength that does most good.
-        further: (m,) each, the residual at the other strengths that were looked at.
+        other_residuals: (m,) each, the residual at the other strengths that were looked at.
         inactive_parameters: names of own parameters that change no sample, where this was looked at.
         only_unmeasured: it moves a reading that nobody took, and no sample.
     """
@@ -33,18 +33,18 @@ class EffectProbe:
     family: str
     own_parameters: tuple[str, ...]
     linear: Linear
-    further: tuple[Array, ...] = ()
+    other_residuals: tuple[Array, ...] = ()
     inactive_parameters: tuple[str, ...] = ()
     only_unmeasured: bool = False
 
     @property
     def silent(self) -> bool:
         """Whether no sample depends on the effect: neither on its parameters, nor on how strong it is."""
-        own = [i for i, name in enumerate(self.linear.names) if name in self.own_parameters]
-        range_of = (self.linear.high - self.linear.low)[own]
+        places = [i for i, name in enumerate(self.linear.names) if name in self.own_parameters]
+        range_of = (self.linear.high - self.linear.low)[places]
         moves = [
-            *(self.linear.slopes[:, own] * range_of).T,
-            *(self.linear.residual - other for other in self.further),
+            *(self.linear.slopes[:, places] * range_of).T,
+            *(self.linear.residual - other for other in self.other_residuals),
         ]
         little = CRITERIA.search.idle * float(self.linear.residual @ self.linear.residual)
         return all(float(move @ move) < little for move in moves)
@@ -57,17 +57,17 @@ class Strengths:
     A parameter that is larger where the effect is away, as a ceiling or a stiffness in series, is inverse to it.
 
     Args:
-        own: the parameters, at their stated values.
+        parameters: at their stated values.
         absent: values at which the effect vanishes, by name; others stay as they are. Empty: every parameter is
             multiplied by the strength.
     """
 
-    own: tuple[Free, ...]
+    parameters: tuple[Free, ...]
     absent: Mapping[str, float]
 
     def at(self, strength: float) -> dict[str, float]:
         """The own parameters by name, within their bounds."""
-        return {f.name: min(max(self._value(f, strength), f.low), f.high) for f in self.own}
+        return {f.name: min(max(self._value(f, strength), f.low), f.high) for f in self.parameters}
 
     def place(self, free: Sequence[Free], strength: float) -> Array:
         """Search coordinates of a model's free parameters, those of the effect at a strength, others at their start."""
@@ -144,13 +144,13 @@ def detectable_strength(sizes: Sequence[float], needed: float) -> float:
 class _StrengthTrial:
     """The model at one strength: (m,) residuals, ``moved`` what the effect does that no base parameter could.
 
-    left: the sum of squares that the base parameters leave.
+    remaining: the sum of squares that the base parameters leave.
     """
 
     strength: float
     residual: Array
     moved: Array
-    left: float
+    remaining: float
 
     @property
     def size(self) -> float:
@@ -181,14 +181,16 @@ def probe_effect(
         lambda strength: residual_rows(objective, place(strength), rows), base, strengths.signed
     )
     linear = None
-    for look in sorted(looks, key=lambda look: (_is_negligible(look, base), look.left)):
+    for look in sorted(looks, key=lambda look: (_is_negligible(look, base), look.remaining)):
         linear = linearised(objective, place(look.strength), rows)
         if linear is not None:
             break
     if linear is None:
         raise SimulationFailure(objective.first_failure)
-    further = tuple(other.residual for other in looks if other is not look)
-    return EffectProbe(effect, family, tuple(f.name for f in strengths.own), linear, further)
+    other_residuals = tuple(other.residual for other in looks if other is not look)
+    return EffectProbe(
+        effect, family, tuple(f.name for f in strengths.parameters), linear, other_residuals
+    )
 
 
 def _is_negligible(look: _StrengthTrial, base: Linear) -> bool:
@@ -200,8 +202,8 @@ def _strength_trials(
     residual: Callable[[float], Array | None], base: Linear, signed: bool
 ) -> list[_StrengthTrial]:
     """Residuals at the stated strength, and where those so far say that it does most good."""
-    own = np.linalg.qr(base.movable)[0]
-    target = base.residual - own @ (own.T @ base.residual)
+    basis = np.linalg.qr(base.movable)[0]
+    target = base.residual - basis @ (basis.T @ base.residual)
     looks: list[_StrengthTrial] = []
 
     def look(strength: float) -> bool:
@@ -209,9 +211,9 @@ def _strength_trials(
         if rows is None:
             return False
         moved = base.residual - rows
-        moved = moved - own @ (own.T @ moved)
-        left = target - moved
-        looks.append(_StrengthTrial(strength, rows, moved, float(left @ left)))
+        moved = moved - basis @ (basis.T @ moved)
+        remaining = target - moved
+        looks.append(_StrengthTrial(strength, rows, moved, float(remaining @ remaining)))
         return True
 
     strength = 1.0
@@ -233,15 +235,15 @@ def _next_strength(looks: Sequence[_StrengthTrial], target: Array, signed: bool)
     wrong way, weaker ones are looked at until it does little; and if it came to nothing sooner than in proportion, as
     beyond a threshold, those between.
     """
-    goal, best = float(target @ target), min(looks, key=lambda look: look.left)
+    goal, best = float(target @ target), min(looks, key=lambda look: look.remaining)
     tried = [look.strength for look in looks]
     if best.size == 0.0 and len(looks) == 1:
         return best.strength / CRITERIA.search.weaker
     strength = best.strength * float(best.moved @ target) / max(best.size, 1e-300)
     weakest = CRITERIA.search.weaker * min(abs(s) for s in tried)
     wrong_way = strength < 0 and not signed
-    does_good = best.left < goal and best.size > CRITERIA.search.idle * goal
-    if not does_good and (abs(strength) < weakest or best.left < goal or wrong_way):
+    does_good = best.remaining < goal and best.size > CRITERIA.search.idle * goal
+    if not does_good and (abs(strength) < weakest or best.remaining < goal or wrong_way):
         positive = [look for look in looks if look.strength > 0]
         return _weaker_strength(sorted(positive, key=lambda look: look.strength), goal)
     is_known = any(abs(strength - s) < CRITERIA.search.same_strength * abs(s) for s in tried)

@@ -19,11 +19,11 @@ def pruned(
     simulator: Simulator,
     data: DataSet,
     free: Sequence[Free],
-    own: Sequence[str],
+    names: Sequence[str],
     full: Fit,
     precision: float,
 ) -> Fit:
-    """The fit without those of its ``own`` coefficients whose interval holds zero and that the evidence does not miss.
+    """The fit without those of its coefficients whose interval holds zero and that the evidence does not miss.
 
     One after another, the least certain first; backward elimination by the Bayesian information criterion of all runs:
     a held-out run may need what the fitted ones do not. What is held stays among the parameters, as zero and not
@@ -33,7 +33,7 @@ def pruned(
         simulator: the model.
         data: the measurement.
         free: all parameters that were fitted.
-        own: names of those that may be held.
+        names: of those that may be held.
         full: the fit with all of them.
         precision: at which a descent ends.
     """
@@ -47,15 +47,15 @@ def pruned(
     held: dict[str, Estimate] = {}
     needed: set[str] = set()
     best = full
-    while name := _least_certain(best, [n for n in own if n not in needed and n not in held]):
-        left = [
+    while name := _least_certain(best, [n for n in names if n not in needed and n not in held]):
+        moved = [
             replace(f, start=best.values[f.name])
             for f in free
             if f.name != name and f.name not in held
         ]
         zeros = dict.fromkeys([*held, name], 0.0)
         try:
-            less = fit(simulator, data, left, fixed=zeros, options=options)
+            less = fit(simulator, data, moved, fixed=zeros, options=options)
         except SimulationFailure:
             needed.add(name)
             continue
@@ -77,7 +77,7 @@ def pruned(
 
 def _least_certain(fitted: Fit, names: Sequence[str]) -> str:
     """The coefficient that is least distinct from zero, if its interval holds zero; else nothing."""
-    some = [
+    uncertain = [
         (n, e) for n in names if (e := fitted.parameters[n]).low <= 0 <= e.high and e.high > e.low
     ]
-    return min((abs(e.value) / (e.high - e.low), n) for n, e in some)[1] if some else ""
+    return min((abs(e.value) / (e.high - e.low), n) for n, e in uncertain)[1] if uncertain else ""

@@ -101,19 +101,21 @@ class Ranking:
 
     def models(self, most: int, specific: bool = False) -> list[Candidate]:
         """Models with so many effects at most, the best first."""
-        some = [
+        models = [
             c
             for c in self.fitted.values()
             if len(c.effects) <= most and (not specific or self.is_specific(c.effects))
         ]
-        return sorted(some, key=lambda c: (self.information_criterion(c), c.effects))
+        return sorted(models, key=lambda c: (self.information_criterion(c), c.effects))
 
     def of_each_families(self, count: int) -> list[Candidate]:
         """Of models with so many effects, fitted to the end, the best of each set of families, the best first."""
         complete = {c.effects for c in self._complete()}
-        every = (c for c in self.models(count) if len(c.effects) == count and c.effects in complete)
+        complete_models = (
+            c for c in self.models(count) if len(c.effects) == count and c.effects in complete
+        )
         first: dict[frozenset[str], Candidate] = {}
-        for c in every:
+        for c in complete_models:
             first.setdefault(self.search.families_of(c.effects), c)
         return list(first.values())
 
@@ -137,13 +139,13 @@ class Ranking:
         first = min(order.values(), default=None)
         if first is None:
             return None
-        near = [c for c in done if order[c.effects][0] < first[0] + CRITERIA.evidence.very_strong]
+        close = [c for c in done if order[c.effects][0] < first[0] + CRITERIA.evidence.very_strong]
         sound = [
             c
-            for c in near
-            if not any(refuted_by_unfitted_signals(c.fit, other.fit) for other in near)
+            for c in close
+            if not any(refuted_by_unfitted_signals(c.fit, other.fit) for other in close)
         ]
-        return min(sound or near, key=lambda c: order[c.effects])
+        return min(sound or close, key=lambda c: order[c.effects])
 
     def _complete(self) -> list[Candidate]:
         """The models that were fitted to the end, or as far as the effort allowed."""
@@ -197,12 +199,12 @@ class Ranking:
         best = self.best(specific)
         if best is not None:
             return best
-        some = [c for c in self._complete() if not specific or self.is_specific(c.effects)]
+        models = [c for c in self._complete() if not specific or self.is_specific(c.effects)]
         scale = self.optimistic_scale()
-        evidence = {c.effects: self.information_criterion(c, scale) for c in some}
+        evidence = {c.effects: self.information_criterion(c, scale) for c in models}
         base = self.information_criterion(None, scale)
-        some = [c for c in some if self.has_structure(c) and evidence[c.effects] < base]
-        return min(some, key=lambda c: (evidence[c.effects], c.effects), default=None)
+        models = [c for c in models if self.has_structure(c) and evidence[c.effects] < base]
+        return min(models, key=lambda c: (evidence[c.effects], c.effects), default=None)
 
     def parents(self) -> list[Candidate]:
         """The models that the search goes on from: the best, the best of laws, and the best of other families.
@@ -211,8 +213,8 @@ class Ranking:
         """
         best = self.leader()
         leading = self.of_each_families(len(best.effects)) if best is not None else []
-        every = (best, self.leader(specific=True), *leading[: CRITERIA.search.leading_families])
-        return list({c.effects: c for c in every if c is not None}.values())
+        parents = (best, self.leader(specific=True), *leading[: CRITERIA.search.leading_families])
+        return list({c.effects: c for c in parents if c is not None}.values())
 
     def may_be(self, threshold: AcceptanceThreshold, effects: Collection[str]) -> bool:
         """Whether a threshold is for models with these effects."""
@@ -239,8 +241,8 @@ class Ranking:
             if count > len(best.effects):
                 return []
             # what has the same families can replace the answer, but not rival it: as good is not enough
-            own = self.search.families_of(best.effects)
-            rival = AcceptanceThreshold(reached + worth, reached + worth, rival_of=own)
+            families = self.search.families_of(best.effects)
+            rival = AcceptanceThreshold(reached + worth, reached + worth, rival_of=families)
             return [AcceptanceThreshold(reached, reached), rival]
         bars = [AcceptanceThreshold(reached, reached, best)]
         if not self.is_specific(best.effects):
@@ -267,8 +269,8 @@ class Ranking:
 
     def _with_one_less_than(self, best: Candidate) -> list[Candidate]:
         names = frozenset(best.effects)
-        every = (c for c in self.fitted.values() if 0 < len(c.effects) == len(names) - 1)
-        return [c for c in every if names.issuperset(c.effects)]
+        smaller = (c for c in self.fitted.values() if 0 < len(c.effects) == len(names) - 1)
+        return [c for c in smaller if names.issuperset(c.effects)]
 
     def matters(self, best: Candidate, without: Candidate, times: float = 1.0) -> bool:
         """Whether the effect that a model lacks, compared with a better one, is large enough to be called missing."""

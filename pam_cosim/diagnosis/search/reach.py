@@ -52,8 +52,8 @@ def _test_points(probe: EffectProbe, objective: Objective) -> list[Array]:
     """Search coordinates: where the probe is linear, and with all of the effect's own parameters on their ways."""
     z = _probe_point(probe, objective)
     low, high = objective.bounds
-    own = np.array([free.name in probe.own_parameters for free in objective.free])
-    return [z, *(np.where(own, low + share * (high - low), z) for share in _SHARES)]
+    is_own = np.array([free.name in probe.own_parameters for free in objective.free])
+    return [z, *(np.where(is_own, low + share * (high - low), z) for share in _SHARES)]
 
 
 def _probe_point(probe: EffectProbe, objective: Objective) -> Array:
@@ -65,8 +65,8 @@ def _probe_point(probe: EffectProbe, objective: Objective) -> Array:
 def _is_inactive(objective: Objective, z: Array, free: Free, little: float) -> bool:
     """Whether the samples are the same at both bounds of a parameter; where a model breaks down nothing is seen."""
     ends = [_with_values(objective, z, {free.name: value}) for value in (free.low, free.high)]
-    one, other = (residual_rows(objective, end, CRITERIA.search.rows) for end in ends)
-    return one is None or other is None or float(np.sum((one - other) ** 2)) < little
+    lower, upper = (residual_rows(objective, end, CRITERIA.search.rows) for end in ends)
+    return lower is None or upper is None or float(np.sum((lower - upper) ** 2)) < little
 
 
 def _with_values(objective: Objective, z: Array, values: dict[str, float]) -> Array:
@@ -86,7 +86,7 @@ def moves_only_unmeasured(probe: EffectProbe, objective: Objective) -> bool:
     if not probe.silent or not unread:
         return False
     z = _probe_point(probe, objective)
-    own = _own_parameters(probe, objective)
+    parameters = _own_parameters(probe, objective)
     try:
         here = _readings(objective, z, unread)
         return any(
@@ -96,7 +96,7 @@ def moves_only_unmeasured(probe: EffectProbe, objective: Objective) -> bool:
                     > _visible_change(here)
                 )
             )
-            for ends in ({f.name: f.low for f in own}, {f.name: f.high for f in own})
+            for ends in ({f.name: f.low for f in parameters}, {f.name: f.high for f in parameters})
         )
     except SimulationFailure:
         return False

@@ -50,12 +50,12 @@ class FitRequest:
 
     Attributes:
         effects: that it has.
-        start: values to start from [SI]. further: others.
+        start: values to start from [SI]. second_start: others.
     """
 
     effects: tuple[str, ...]
     start: Mapping[str, float]
-    further: Mapping[str, float] = field(default_factory=dict)
+    second_start: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -277,17 +277,17 @@ class Search:
         start = c.fit.values_and_starts
         if c.fit.linear is None:
             return FitRequest(c.effects, start)
-        own, absent, misfit = self._absence(c)
-        needed = needed_effects(c.fit.linear, own, absent, misfit, self.price, most)
-        gone = left_out(needed, own, c.fit.values, absent)
-        return FitRequest(needed, start, fitted_with(c.fit.linear, gone)[0])
+        names, absent, misfit = self._absence(c)
+        needed = needed_effects(c.fit.linear, names, absent, misfit, self.price, most)
+        fixed = left_out(needed, names, c.fit.values, absent)
+        return FitRequest(needed, start, fitted_with(c.fit.linear, fixed)[0])
 
     def by_need(self, c: Candidate) -> tuple[str, ...]:
         """The effects of a fitted model, those that are left out last first, to first order."""
         if c.fit.linear is None:
             return c.effects
-        gone = [e for e, _ in elimination(c.fit.linear, *self._absence(c), self.price)]
-        return (*(e for e in c.effects if e not in gone), *reversed(gone))
+        order = [e for e, _ in elimination(c.fit.linear, *self._absence(c), self.price)]
+        return (*(e for e in c.effects if e not in order), *reversed(order))
 
     def _absence(self, c: Candidate) -> tuple[dict[str, tuple[str, ...]], dict[str, float], float]:
         """What leaving effects of a fitted model out depends on.
@@ -297,27 +297,30 @@ class Search:
         """
         composition = compose_on(self.tree, self.structure, c.effects)
         assert composition is not None  # it was fitted
-        own = {e: composition.parameters[e] for e in c.effects}
+        names = {e: composition.parameters[e] for e in c.effects}
         misfit = max(c.fit.residuals["fit"].chi2_reduced, 1.0)
-        return own, values_of_absence([*map(self.effect, c.effects)], own), misfit
+        return names, values_of_absence([*map(self.effect, c.effects)], names), misfit
 
     def simpler_laws(self, c: Candidate) -> list[tuple[str, ...]]:
         """A fitted model with the law that one of its effects turns into where a parameter ended at a bound."""
         composition, linear = compose_on(self.tree, self.structure, c.effects), c.fit.linear
         if composition is None or linear is None:
             return []
-        near = CRITERIA.fit.at_bound * (linear.high - linear.low)
-        at_low, at_high = linear.values <= linear.low + near, linear.values >= linear.high - near
+        margin = CRITERIA.fit.at_bound * (linear.high - linear.low)
+        at_low, at_high = (
+            linear.values <= linear.low + margin,
+            linear.values >= linear.high - margin,
+        )
         ends = dict(zip(linear.names, zip(at_low, at_high, strict=True), strict=True))
         laws = []
         for name in c.effects:
-            rest = tuple(e for e in c.effects if e != name)
+            kept = tuple(e for e in c.effects if e != name)
             for full in composition.parameters[name]:
                 simpler = self.effect(name).simpler.get(full.rpartition(".")[2], (None, None))
                 for law, is_there in zip(simpler, ends.get(full, (False, False)), strict=True):
                     family = self.family.get(law or "")
-                    if law and family and is_there and family not in self.families_of(rest):
-                        laws.append((*rest, law))
+                    if law and family and is_there and family not in self.families_of(kept):
+                        laws.append((*kept, law))
         return laws
 
     def _full_sets(self, promising: Sequence[str]) -> list[tuple[str, ...]]:
@@ -337,9 +340,9 @@ class Search:
         starts: list[tuple[str, ...]] = [(), *((name,) for name in replacing)]
         return [self._with_place(start, nested) for start in starts]
 
-    def _with_place(self, first: tuple[str, ...], further: Sequence[str]) -> tuple[str, ...]:
+    def _with_place(self, first: tuple[str, ...], names: Sequence[str]) -> tuple[str, ...]:
         """Effects, and of further ones those that find a place beside them."""
-        for name in further:
+        for name in names:
             if compose_on(self.tree, self.structure, (*first, name)) is not None:
                 first = (*first, name)
         return first
@@ -389,7 +392,7 @@ class Search:
                 trials.append(
                     replace(
                         trial.without(idle),
-                        further_start=m.further,
+                        further_start=m.second_start,
                         library=self.library,
                         general_before=not self.general.isdisjoint(m.effects[:-1]),
                     )
@@ -397,10 +400,10 @@ class Search:
         return trials
 
 
-def _has_same_samples(one: DataSet, other: DataSet) -> bool:
+def _has_same_samples(data: DataSet, other: DataSet) -> bool:
     return all(
         np.array_equal(samples, b.measurements[name], equal_nan=True)
-        for a, b in zip(one.runs, other.runs, strict=True)
+        for a, b in zip(data.runs, other.runs, strict=True)
         for name, samples in a.measurements.items()
     )
 

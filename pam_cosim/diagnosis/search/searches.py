@@ -48,7 +48,7 @@ def one_by_one(
     base: Fit,
     effects: Sequence[str],
     start: Mapping[str, float],
-    known: dict[tuple[str, ...], Candidate],
+    fitted: dict[tuple[str, ...], Candidate],
 ) -> list[Candidate]:
     """A model's effects, added one after another, each with its evidence beside the model before.
 
@@ -59,13 +59,13 @@ def one_by_one(
         base: the model without effects.
         effects: of the model.
         start: values to start from [SI].
-        known: models that were fitted, by their effects; what is fitted here is added.
+        fitted: models that were fitted, by their effects; what is fitted here is added.
     """
     models: list[Candidate] = []
     for k in range(1, len(effects) + 1):
         names, last = tuple(effects[:k]), k == len(effects)
         before = models[-1].fit if models else base
-        model = known.get(names)
+        model = fitted.get(names)
         if last and (model is None or model.brief or model.general):
             model = search.fit_final(names, start)
         elif model is None:
@@ -73,14 +73,14 @@ def one_by_one(
             nearest = {**start, **before.values_and_starts}
             model = next(iter(search.fit_briefly([FitRequest(names, nearest, start)])), None)
         if model is not None:
-            known[names] = model
+            fitted[names] = model
             models += rank(before, [model])
     return models
 
 
 def with_effects(result: SearchResult, effects: Sequence[str]) -> SearchResult:
     """The same, the model with only some of its effects."""
-    known = {c.effects: c for c in result.tried}
+    fitted = {c.effects: c for c in result.tried}
     start = result.last.values_and_starts
-    models = one_by_one(result.search, result.base, effects, start, known)
+    models = one_by_one(result.search, result.base, effects, start, fitted)
     return replace(result, path=tuple(c.without_slopes for c in models))

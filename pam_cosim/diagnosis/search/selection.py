@@ -86,15 +86,15 @@ class _Models:
 
     def probe(self) -> None:
         """What each effect does beside the base model; where the effort is limited, by families first."""
-        every = [e.name for e in self.search.available_effects]
-        step = len(every)
+        names = [e.name for e in self.search.available_effects]
+        step = len(names)
         if self.search.effort.limited:
-            every.sort(key=lambda name: name not in self.search.family_representatives)
+            names.sort(key=lambda name: name not in self.search.family_representatives)
             step = CRITERIA.search.first_tried
-        for at in range(0, len(every), max(step, 1)):
-            if at and self._is_effort_spent([(name,) for name in every[at:]]):
+        for at in range(0, len(names), max(step, 1)):
+            if at and self._is_effort_spent([(name,) for name in names[at:]]):
                 break
-            self.probes += self.search.probe(self.base, (), every[at : at + step])
+            self.probes += self.search.probe(self.base, (), names[at : at + step])
         if self.search.failed and not self.probes:
             failed = self.search.failed[-1]
             raise SimulationFailure(f"no effect could be tried; {failed.effect}: {failed.failure}")
@@ -174,8 +174,8 @@ class _Models:
         ]
         if self._is_effort_spent([]):
             return
-        found = [f for f in self.search.full_models(self.base, first) if f.effects]
-        for full in sorted(found, key=lambda f: f.misfit)[:1]:
+        full_models = [f for f in self.search.full_models(self.base, first) if f.effects]
+        for full in sorted(full_models, key=lambda f: f.misfit)[:1]:
             self._try([FitRequest(full.effects, full.values)])
             self._reduce(full.effects)
 
@@ -191,8 +191,8 @@ class _Models:
         leading = self.search.reduced(first, CRITERIA.search.together).effects
         best = self._best_of([effects, *self._exchange_members(first, leading)])
         while best is not None and len(best.effects) > CRITERIA.search.most_effects:
-            some = max(CRITERIA.search.most_effects, len(best.effects) - CRITERIA.search.together)
-            fewer = self.search.reduced(best, some)
+            count = max(CRITERIA.search.most_effects, len(best.effects) - CRITERIA.search.together)
+            fewer = self.search.reduced(best, count)
             self._try([fewer])
             best = self.fitted.get(fewer.effects)
         for names in [n for n in self.fitted if len(n) > CRITERIA.search.most_effects]:
@@ -291,8 +291,8 @@ class _Models:
             ]
             for name in (best.effects if leading is None else leading)
         }
-        every = [effects for sets in forms.values() for effects in sets]
-        self._try(self._requests(best, every))
+        sets_tried = [effects for sets in forms.values() for effects in sets]
+        self._try(self._requests(best, sets_tried))
         first = {name: self._best_of([best.effects, *sets]) for name, sets in forms.items()}
         better = {
             name: c for name, c in first.items() if c is not None and c.effects != best.effects
@@ -302,14 +302,16 @@ class _Models:
             values = {n: v for c in better.values() for n, v in c.fit.values.items()}
             together = tuple(member.get(name, name) for name in best.effects)
             self._try([FitRequest(together, values | best.fit.values_and_starts)])
-            every.append(together)
-        return every
+            sets_tried.append(together)
+        return sets_tried
 
     def _best_of(self, sets: Sequence[tuple[str, ...]]) -> Candidate | None:
         """The best of some sets of effects that were fitted."""
-        every = [c for effects in sets if (c := self.fitted.get(effects)) is not None]
+        candidates = [c for effects in sets if (c := self.fitted.get(effects)) is not None]
         return min(
-            every, key=lambda c: (self.ranking.information_criterion(c), c.effects), default=None
+            candidates,
+            key=lambda c: (self.ranking.information_criterion(c), c.effects),
+            default=None,
         )
 
     def _leave_out(self, best: Candidate) -> None:
@@ -323,7 +325,7 @@ class _Models:
         if not requests or self._is_effort_spent([]):
             return
         self._record(self.search.fit_briefly(requests))
-        sets = [one.effects for one in requests]
+        sets = [request.effects for request in requests]
         less = [c for s in sets if (c := self.fitted.get(s)) is not None]
         small = [c for c in less if not self.ranking.matters(best, c, 2.0)]
         self._finish_within_effort([c for c in small if c.brief])
@@ -347,8 +349,8 @@ class _Models:
 
     def _other_forms(self, effects: Sequence[str], name: str) -> dict[str, tuple[str, ...]]:
         """By member of its family, the effects with that member, the last, in the place of one of them."""
-        rest = _without(effects, name)
-        return {e: (*rest, e) for e in self._members(self.search.family[name]) if e != name}
+        kept = _without(effects, name)
+        return {e: (*kept, e) for e in self._members(self.search.family[name]) if e != name}
 
     def _members(self, family: str) -> Iterator[str]:
         """The effects of a family that can show."""
@@ -361,9 +363,9 @@ class _Models:
     def _try(self, models: Sequence[FitRequest]) -> None:
         """Fits models briefly that nobody tried."""
         seen = self.ranking.attempted
-        others = [w for w in models if frozenset(w.effects) not in seen]
-        if others and not self._is_effort_spent([w.effects for w in others]):
-            self._record(self.search.fit_briefly(others))
+        untried = [w for w in models if frozenset(w.effects) not in seen]
+        if untried and not self._is_effort_spent([w.effects for w in untried]):
+            self._record(self.search.fit_briefly(untried))
 
     def improve(self, count: int) -> None:
         """Fits models with so many effects, as long as some may be better than the best, or as good.

@@ -94,9 +94,9 @@ def subject_of(
     name = data.model_for(model)
     sources = sources_of(files, name)
     tree = None if is_fmu(name) else read_library(files=sources)
-    data, said = condensed(data)
-    if said:
-        say(Remark(said).message)
+    data, text = condensed(data)
+    if text:
+        say(Remark(text).message)
     if tree is not None:
         wake(workers, run_trial.__module__)
         data = replace(data, domain=domain_of(tree, name))
@@ -105,4 +105,4 @@ def subject_of(
             data = with_starts(simulator, data)
         for sentence in data.starts:
             say(Remark(sentence).message)
-    return Subject(name, tuple(files), sources, tree, data, said)
+    return Subject(name, tuple(files), sources, tree, data, text)

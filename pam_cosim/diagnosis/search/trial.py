@@ -96,8 +96,8 @@ class Trial:
     def without(self, idle: Collection[str]) -> Trial:
         """The same trial with these parameters of its effects at their stated values: no sample depends on them."""
         kept = {
-            e: tuple(n for n in own if n not in idle)
-            for e, own in self.composition.parameters.items()
+            e: tuple(n for n in names if n not in idle)
+            for e, names in self.composition.parameters.items()
         }
         return replace(self, composition=replace(self.composition, parameters=kept))
 
@@ -109,14 +109,14 @@ class Trial:
 
     def candidate(self, fit: Fit) -> Candidate:
         """The result of this trial."""
-        own = self.composition.parameters
+        parameters = self.composition.parameters
         return Candidate(
             effect=self.effect.name,
             family=self.effect.family,
             balance=self.effect.balance,
             effects=self.effects,
-            own_parameters=tuple(own[self.effect.name]),
-            parameters_before=tuple(n for e in self.effects[:-1] for n in own[e]),
+            own_parameters=tuple(parameters[self.effect.name]),
+            parameters_before=tuple(n for e in self.effects[:-1] for n in parameters[e]),
             equations=self.composition.text,
             brief=self.brief,
             general=self.effect.general,
@@ -159,8 +159,8 @@ def attempted(
     trial: Trial, work: Callable[[Trial, Simulator], Result], brief: bool
 ) -> Result | FailedTrial:
     """What comes of some work on the model of a trial, which takes few runs or many; a failure is a result too."""
-    own = [name for names in trial.composition.parameters.values() for name in names]
-    free = tuple(dict.fromkeys([*trial.data.differentiated, *map(parameter_of, own)]))
+    parameters = [name for names in trial.composition.parameters.values() for name in names]
+    free = tuple(dict.fromkeys([*trial.data.differentiated, *map(parameter_of, parameters)]))
     source, name = trial.composition.text, trial.composition.name
     brief = brief and sum(len(run.time) for run in trial.data.fit_runs) <= MOST_ROWS_UNCOMPILED
     try:
@@ -299,14 +299,18 @@ def every_parameter(data: DataSet, composition: Composition, interface: Interfac
     What a data set says of a parameter counts, and not what is typical.
     """
     free = list(base_parameters(data, interface))
-    known = {f.name for f in free}
-    own = [name for names in composition.parameters.values() for name in names if name not in known]
-    every = [model_parameter(name, interface) for name in own]
+    declared = {f.name for f in free}
+    added = [
+        name for names in composition.parameters.values() for name in names if name not in declared
+    ]
+    parameters = [model_parameter(name, interface) for name in added]
     typical, limits = composition.typical, composition.limits
-    every = [_outside_readings(f, *limits[f.name], data) if f.name in limits else f for f in every]
+    parameters = [
+        _outside_readings(f, *limits[f.name], data) if f.name in limits else f for f in parameters
+    ]
     return [
         *free,
-        *(f.with_typical_range(*typical[f.name]) if f.name in typical else f for f in every),
+        *(f.with_typical_range(*typical[f.name]) if f.name in typical else f for f in parameters),
     ]
 
 
@@ -315,13 +319,13 @@ def _outside_readings(free: Free, side: str, signal: str, data: DataSet) -> Free
     readings = [run.measurements[signal] for run in data.runs if run.sample_count(signal)]
     if not readings:
         return free
-    every = np.concatenate(readings)
+    values = np.concatenate(readings)
     noise = CRITERIA.noise.outlier_far * data.signals[signal].sigma
     low, high = free.low, free.high
     if side == "above":
-        low = min(max(low, float(np.nanmax(every)) - noise), high)
+        low = min(max(low, float(np.nanmax(values)) - noise), high)
     else:
-        high = max(min(high, float(np.nanmin(every)) + noise), low)
+        high = max(min(high, float(np.nanmin(values)) + noise), low)
     return replace(free, low=low, high=high).starting_at(free.start)
 
 
