@@ -69,6 +69,14 @@ function field(group, name, wishes, change, properties = {}) {
 const choices = (id, values) =>
   make("datalist", { id }, [...values].map(([value, words]) => make("option", { value }, words ?? "")));
 
+/** A table that scrolls sideways; on a narrow page each row is a stack, its cells with their heads. */
+function grid(heads, rows) {
+  for (const row of rows) [...row.cells].forEach((cell, i) => (cell.dataset.head = heads[i] ?? ""));
+  const head = make("tr", {}, heads.map((word) => make("th", {}, word)));
+  const whole = make("table", { class: "fields" }, make("thead", {}, head), make("tbody", {}, rows));
+  return make("div", { class: "scroll" }, whole);
+}
+
 const section = (title, ...children) => make("section", {}, make("h3", {}, title), children);
 
 function sentences(title, lines, answer) {
@@ -188,7 +196,7 @@ function parameters(list, draft, wishes, change) {
       make("td", { class: "soft" }, wishes.parameters[p.name] ? "" : stated === undefined ? "the bench's own" : "follows"),
     );
   };
-  return make("div", { class: "scroll" }, make("table", {}, make("tbody", {}, list.map(row))));
+  return grid([], list.map(row));
 }
 
 /** Each quantity of the bench: its column or formula, and why. */
@@ -208,8 +216,9 @@ function columns(draft, evidence, wishes, change, answer, files) {
         "td",
         {},
         field("columns", n.name, wishes, change, {
-          size: 26,
+          size: 34,
           list: "heads",
+          title: now ? String(now) : "",
           placeholder: now ? String(now) : "a column, or a formula",
         }),
       ),
@@ -217,25 +226,16 @@ function columns(draft, evidence, wishes, change, answer, files) {
       make("td", {}, guess?.why ? advice(guess.why.replace(/^guessed: /, ""), answer) : n.description),
     );
   };
-  const head = ["quantity", "column or formula", "reads zero at", "evidence"].map((word) => make("th", {}, word));
   const time = { name: "time", unit: "s", kind: "", input: true, description: "the clock of the rows" };
   return section(
     "What each quantity is read from",
     choices("heads", [...new Set(seen)].map((name) => [name])),
-    make(
-      "div",
-      { class: "scroll" },
-      make(
-        "table",
-        { class: "fields" },
-        make("thead", {}, make("tr", {}, head)),
-        make("tbody", {}, [...draft.names.map(row), row(time)]),
-      ),
-    ),
+    grid(["quantity", "column or formula", "reads zero at", "evidence"], [...draft.names.map(row), row(time)]),
     make(
       "p",
       { class: "soft" },
-      `A formula is arithmetic of columns and quantities, as in "312.6 mm" - Weg * "1 mm".`,
+      `A formula is arithmetic of columns and quantities: "312.6 mm" - Weg where the heading of Weg states its unit, ` +
+        `"312.6 mm" - Weg * "1 mm" where it does not.`,
     ),
   );
 }
@@ -275,7 +275,9 @@ function split(formula, taken, stated) {
 }
 
 function runs(draft, evidence, wishes, change) {
-  const own = [...new Set(draft.runs.flatMap((run) => Object.keys(run.own)))];
+  const loads = draft.parameters.filter((p) => p.geometry && p.unit === "kg");
+  const all = new Map(loads.map((p) => [p.name, draft.stated[p.name] ?? `${number(p.value)} ${p.unit}`]));
+  const own = [...new Set([...draft.runs.flatMap((run) => Object.keys(run.own)), ...all.keys()])];
   const row = (run) => {
     const role = make(
       "select",
@@ -294,7 +296,7 @@ function runs(draft, evidence, wishes, change) {
       make(
         "td",
         {},
-        field("parameters", `${name}@${run.name}`, wishes, change, { size: 8, placeholder: String(run.own[name] ?? "") }),
+        field("parameters", `${name}@${run.name}`, wishes, change, { size: 8, placeholder: String(run.own[name] ?? all.get(name) ?? "") }),
       ),
     );
     return make(
@@ -306,15 +308,7 @@ function runs(draft, evidence, wishes, change) {
       make("td", { class: "soft" }, guess?.why.replace(/^guessed: /, "") ?? ""),
     );
   };
-  const heads = ["run", "role", ...own, "evidence"].map((word) => make("th", {}, word));
-  return section(
-    "Runs",
-    make(
-      "div",
-      { class: "scroll" },
-      make("table", {}, make("thead", {}, make("tr", {}, heads)), make("tbody", {}, draft.runs.map(row))),
-    ),
-  );
+  return section("Runs", grid(["run", "role", ...own, "evidence"], draft.runs.map(row)));
 }
 
 /** How the files are to be read, where they do not show it. */
@@ -332,7 +326,7 @@ function reading(wishes, change) {
     "details",
     {},
     make("summary", {}, "How the files are to be read"),
-    make("table", {}, make("tbody", {}, [...names].map(row))),
+    grid([], [...names].map(row)),
   );
 }
 
@@ -352,7 +346,7 @@ function others(draft, answer) {
       make("td", {}, g.taken_as),
       make("td", {}, advice(g.why.replace(/^guessed: /, ""), answer)),
     );
-  return section("What else was taken", make("div", { class: "scroll" }, make("table", {}, make("tbody", {}, rest.map(row)))));
+  return section("What else was taken", grid([], rest.map(row)));
 }
 
 function previews(draft) {
