@@ -2,7 +2,7 @@
 
 import { advice, bareName, cells } from "./advice.js";
 import { begin, text, trace } from "./drawing.js";
-import { make } from "./element.js";
+import { fields, make } from "./element.js";
 import { number, tickLabels, ticks } from "./numbers.js";
 import { palette } from "./palette.js";
 
@@ -68,14 +68,6 @@ function field(group, name, wishes, change, properties = {}) {
 
 const choices = (id, values) =>
   make("datalist", { id }, [...values].map(([value, words]) => make("option", { value }, words ?? "")));
-
-/** A table that scrolls sideways; on a narrow page each row is a stack, its cells with their heads. */
-function grid(heads, rows) {
-  for (const row of rows) [...row.cells].forEach((cell, i) => (cell.dataset.head = heads[i] ?? ""));
-  const head = make("tr", {}, heads.map((word) => make("th", {}, word)));
-  const whole = make("table", { class: "fields" }, make("thead", {}, head), make("tbody", {}, rows));
-  return make("div", { class: "scroll" }, whole);
-}
 
 const section = (title, ...children) => make("section", {}, make("h3", {}, title), children);
 
@@ -196,7 +188,7 @@ function parameters(list, draft, wishes, change) {
       make("td", { class: "soft" }, wishes.parameters[p.name] ? "" : stated === undefined ? "the bench's own" : "follows"),
     );
   };
-  return grid([], list.map(row));
+  return fields([], list.map(row));
 }
 
 /** Each quantity of the bench: its column or formula, and why. */
@@ -230,7 +222,7 @@ function columns(draft, evidence, wishes, change, answer, files) {
   return section(
     "What each quantity is read from",
     choices("heads", [...new Set(seen)].map((name) => [name])),
-    grid(["quantity", "column or formula", "reads zero at", "evidence"], [...draft.names.map(row), row(time)]),
+    fields(["quantity", "column or formula", "reads zero at", "evidence"], [...draft.names.map(row), row(time)]),
     make(
       "p",
       { class: "soft" },
@@ -308,7 +300,7 @@ function runs(draft, evidence, wishes, change) {
       make("td", { class: "soft" }, guess?.why.replace(/^guessed: /, "") ?? ""),
     );
   };
-  return section("Runs", grid(["run", "role", ...own, "evidence"], draft.runs.map(row)));
+  return section("Runs", fields(["run", "role", ...own, "evidence"], draft.runs.map(row)));
 }
 
 /** How the files are to be read, where they do not show it. */
@@ -326,7 +318,7 @@ function reading(wishes, change) {
     "details",
     {},
     make("summary", {}, "How the files are to be read"),
-    grid([], [...names].map(row)),
+    fields([], [...names].map(row)),
   );
 }
 
@@ -346,7 +338,7 @@ function others(draft, answer) {
       make("td", {}, g.taken_as),
       make("td", {}, advice(g.why.replace(/^guessed: /, ""), answer)),
     );
-  return section("What else was taken", grid([], rest.map(row)));
+  return section("What else was taken", fields([], rest.map(row)));
 }
 
 function previews(draft) {

@@ -76,7 +76,9 @@ class Recorder {
 }
 
 /** The parts of the picture: what draws each on a canvas, with its height. */
-function lanes({ view, signals, frames, colours, rows }, unit) {
+function lanes(curves, unit) {
+  const { view, signals, colours, rows } = curves;
+  const frames = curves.shown();
   const title = (signal) => `${signal.name}, ${signal.quantity ?? ""}${signal.unit ? ` [${signal.unit}]` : ""}`;
   return [
     { height: NAMES, draw: (canvas) => drawNames(canvas, view, colours) },
@@ -114,7 +116,9 @@ export function svgOf(curves) {
 }
 
 /** The samples that are shown: a row for each sample of each signal. */
-export function csvOf({ view, signals, frames }) {
+export function csvOf(curves) {
+  const { view, signals } = curves;
+  const frames = curves.shown();
   const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const value = (one) => (one === undefined || Number.isNaN(one) ? "" : String(Number(one.toPrecision(7))));
   const lines = ["run,signal,unit,time,measured,model,residual"];

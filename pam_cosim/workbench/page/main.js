@@ -35,7 +35,7 @@ let study = null,
 async function ask(what, values = {}, failed = alert) {
   try {
     const answer = await connection.ask(what, values);
-    if (byId("alert").dataset.of === "command") byId("alert").hidden = true;
+    if (failed === alert && byId("alert").dataset.of === "command") byId("alert").hidden = true;
     return answer ?? {};
   } catch (problem) {
     failed(problem);

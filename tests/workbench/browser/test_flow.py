@@ -114,7 +114,7 @@ def test_a_strangers_files_become_a_fitted_model(
         loads = zip(laboratory.names, ("2.27 kg", "4 kg"), strict=True)
         for field, text in {
             **laboratory.answers,
-            "muscle": "AirMuscle",
+            "muscle": "physical",
             **{f"parameter load.m@{run}": load for run, load in loads},
         }.items():
             answer(page, field, text)

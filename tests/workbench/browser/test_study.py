@@ -25,7 +25,7 @@ def test_every_value_and_signal_is_changed_and_taken_back(opened: Open, muscle: 
         field.fill("25 cm")
         field.press("Enter")
         until(page, lambda: error(page, "x") != before)
-        assert page.locator("#status-text").inner_text() == "state muscle.L0 = 0.25"
+        assert page.locator("#status-text").inner_text() == "state muscle.L0 = 250 mm"
         page.get_by_label("Filter parameters").fill("sleeve at rest")
         assert page.locator("tr[data-name]:visible").count() == 1
         page.get_by_label("Filter parameters").fill("")
