@@ -214,7 +214,11 @@ class OpenStudy:
             InputError: there is no such run, or what was before its first sample determines where it begins.
         """
         trajectories = courses(
-            _recording(self.state.data, run), self.state, self.opened, self.simulated.starts, only_start=True
+            _recording(self.state.data, run),
+            self.state,
+            self.opened,
+            self.simulated.starts,
+            only_start=True,
         )
         if not trajectories:
             raise InputError(
@@ -259,7 +263,7 @@ class OpenStudy:
             self.windows.send(frame(kind, self.version, []))
 
     def samples(self, run: str, begin: float, end: float) -> Json:
-        """All curves of a part of a run between two times [s], with every sample where these are few: frames in base 64.
+        """Curves of a part of a run between two times [s]: frames in base 64, with every sample where these are few.
 
         Raises:
             InputError: there is no such recording.

@@ -170,7 +170,8 @@ def test_no_letter_is_cut_where_a_file_is_long(
     ("name", "made"),
     [("run.csv", "run.csv"), ("../../etc/passwd", "passwd"), ("C:\\data\\run 1.csv", "run 1.csv"),
      (".hidden", "hidden"), ("Messung_ä(1).csv", "Messung_ä(1).csv"), ("a\nb.csv", "a_b.csv"), ("<b>.csv", "_b_.csv"),
-     ("実験1.csv", "実験1.csv"), ("a\u0308.csv", "ä.csv"), (40 * "実" + ".csv", 32 * "実" + ".csv"), ("\ud800.csv", "_.csv")],
+     ("実験1.csv", "実験1.csv"), ("a\u0308.csv", "ä.csv"),
+     (40 * "実" + ".csv", 32 * "実" + ".csv"), ("\ud800.csv", "_.csv")],
 )  # fmt: skip
 def test_names_become_names_of_files(name: str, made: str, tmp_path: Path) -> None:
     assert safe_name(name) == made and inside(tmp_path, safe_name(name)).parent == tmp_path
