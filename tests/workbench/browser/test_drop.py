@@ -98,7 +98,7 @@ def test_a_wire_whose_zero_is_elsewhere_becomes_a_contraction(
         page.set_input_files("#recordings", [file])
         page.locator(".problem").wait_for()
         assert "which reading is zero" in page.locator(".problem").inner_text()
-        page.get_by_role("button", name='x = "313 mm" - Seilweg').click()
+        page.locator(".problem").get_by_role("button", name='x = "313 mm" - Seilweg').click()
         page.locator(".preview").first.wait_for()
         say(page, "muscle", "any-geometry")
         page.locator('[data-wish="parameter muscle.sleeve.alpha_0"]').wait_for()
