@@ -168,7 +168,9 @@ def dropped(browser: Any, address: str, folder: Path, place: Path) -> None:
     page.get_by_role("button", name="Remove run-02.csv").click()
     page.set_input_files("#recordings", [folder / "run-02.csv", folder / "run-03.csv"])
     page.locator(".draft:not(.waiting) tr", has_text="run-03").wait_for()
-    page.locator("#drop h3", has_text="What each quantity").evaluate("head => head.scrollIntoView()")
+    page.locator("#drop h3", has_text="What each quantity").evaluate(
+        "head => head.scrollIntoView()"
+    )
     still(page, "workbench-draft")
 
 

@@ -209,6 +209,28 @@ def test_what_was_said_wrong_can_be_said_otherwise(window: Window, recorded: Pat
     assert first["names"] == [] and first["benches"] == good["benches"]
 
 
+def test_a_draft_that_cannot_be_simulated_keeps_fields_and_evidence(
+    window: Window, recorded: Path
+) -> None:
+    """A draw wire that reads 312 mm at rest: what is recognised stays beside the question."""
+    head, *rows = (recorded / "run-01.csv").read_text().splitlines()
+    place = next(i for i, name in enumerate(head.split(",")) if name.startswith("x "))
+    cells = [row.split(",") for row in rows]
+    for row in cells:
+        row[place] = str(312 - float(row[place]))
+    put(window, "run-01.csv", "\n".join([head, *map(",".join, cells)]).encode())
+    window.do(do="draft", wishes={})
+    draft = window.last("draft")
+    assert "which reading is zero" in draft["failed"]["text"]
+    assert draft["columns"]["x"]["formula"].startswith("-")
+    assert all(draft[key] for key in ("names", "parameters", "runs", "guesses", "curves", "toml"))
+    with pytest.raises(InputError, match="which reading is zero"):
+        window.do(do="create", wishes={})
+    assert not window.session.folder.exists()
+    window.do(do="draft", wishes={"columns": {"x": '"312 mm" - x'}})
+    assert window.last("draft")["failed"] is None
+
+
 def test_a_column_of_another_kind_is_refused_by_its_name(window: Window, recorded: Path) -> None:
     put(window, "run-01.csv", (recorded / "run-01.csv").read_bytes())
     window.do(do="draft", wishes={"columns": {"p": "x"}})
