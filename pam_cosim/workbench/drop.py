@@ -127,13 +127,11 @@ class Drop:
             model="",
             benches=study.benches(),
             parts=self._parts(),
-            **dict.fromkeys(("runs", "names", "parameters"), ()),
+            **dict.fromkeys(("runs", "names", "parameters", "guesses", "starts", "to_check"), ()),
             **dict.fromkeys(("columns", "stated"), {}),
         )
-        empty_fields = dict.fromkeys(("guesses", "starts", "to_check", "curves"), ()) | {"toml": ""}
-        fields = (
-            last | empty_fields | {"failed": failure(problem), "excerpt": self._excerpt(problem)}
-        )
+        wrong = {"failed": failure(problem), "excerpt": self._excerpt(problem)}
+        fields = last | {"curves": (), "toml": ""} | wrong
         bench = str(wishes.get("model"))
         if bench in last["benches"] and bench != short_name(last["model"]):
             fields |= {"model": bench, **_quantities(study.describe(bench))}

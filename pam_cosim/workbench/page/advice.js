@@ -29,7 +29,7 @@ function button(option, value, answer) {
   const open = !text || /^(NAME|\.\.\.|COLUMN|VALUE|FORMULA|TYPE)/.test(text) || (EXAMPLES.includes(option) && text !== "0");
   const known = name && !/^(NAME|KEY)/.test(name) ? name : "";
   const example = text.includes(" ") ? `${option}: ${text}` : `state the ${option}`;
-  const label = open ? (known ? `state ${known}` : example) : known ? `${known} = ${text}` : text;
+  const label = open ? (known ? `${group === "columns" ? "column of" : "state"} ${known}` : example) : known ? `${known} = ${text}` : text;
   return make(
     "button",
     { type: "button", class: "advice", onclick: () => answer(group, known, open ? "" : text) },

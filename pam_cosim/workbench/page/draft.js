@@ -19,18 +19,19 @@ const READING = {
 /** The elements of a draft; `change(group, name, value)` is told what a person says. */
 export function draftParts(draft, wishes, change, files) {
   const evidence = new Map(draft.guesses.map((g) => [/^[^\s[:,]+/.exec(g.taken_as)?.[0] ?? "", g]));
+  const constants = draft.names.filter((n) => n.input && !evidence.has(n.name) && !draft.columns[n.name]);
   const answer = (group, name, value) => (value ? change(group, name, value) : seek(group, name));
   return [
     draft.failed ? problem(draft, answer) : null,
     said(wishes, change),
-    draft.benches.length ? rig(draft, wishes, change, answer) : null,
+    draft.benches.length ? rig(draft, constants, wishes, change) : null,
     sentences("Please check: only you know", draft.to_check, answer),
     sentences("Recordings that begin in the middle", draft.starts, answer),
     draft.names.length ? columns(draft, evidence, wishes, change, answer, files) : null,
     draft.curves.length
       ? make("section", {}, make("h3", {}, "Preview"), make("div", { class: "previews" }, previews(draft)))
       : null,
-    draft.runs.length ? runs(draft, evidence, wishes, change) : null,
+    draft.runs.length ? runs(draft, constants, wishes, change) : null,
     reading(wishes, change),
     others(draft, answer),
     draft.toml
@@ -135,7 +136,7 @@ function said(wishes, change) {
 }
 
 /** The bench, the muscle, its measures: with what is taken until somebody says otherwise. */
-function rig(draft, wishes, change, answer) {
+function rig(draft, constants, wishes, change) {
   const model = draft.model.split(/[\\/]/).at(-1).split(".").filter((part) => part !== "mo").at(-1) ?? "";
   const part = (role) => draft.parts.filter((one) => one.role === role);
   const rigs = part("pneumatics").flatMap((a) =>
@@ -165,7 +166,7 @@ function rig(draft, wishes, change, answer) {
     ),
     choices("benches", [...draft.benches.map((name) => [name, "a bench of the library"]), ...rigs]),
     choices("muscles", part("muscle").map((one) => [one.name, one.description])),
-    parameters(draft.parameters.filter(shown), draft, wishes, change),
+    parameters([...constants, ...draft.parameters.filter(shown)], draft, wishes, change),
     make(
       "details",
       {},
@@ -178,14 +179,15 @@ function rig(draft, wishes, change, answer) {
 function parameters(list, draft, wishes, change) {
   const row = (p) => {
     const stated = draft.stated[p.name];
-    const usual = `${number(p.value)} ${p.unit}`.trim();
+    const usual = p.input ? p.unit : `${number(p.value)} ${p.unit}`.trim();
+    const source = p.input ? "not recorded: a constant" : "the bench's own";
     return make(
       "tr",
       {},
       make("td", {}, make("code", {}, p.name)),
       make("td", {}, field("parameters", p.name, wishes, change, { size: 12, placeholder: String(stated ?? usual) })),
       make("td", {}, p.description),
-      make("td", { class: "soft" }, wishes.parameters[p.name] ? "" : stated === undefined ? "the bench's own" : "follows"),
+      make("td", { class: "soft" }, wishes.parameters[p.name] ? "" : stated === undefined ? source : "follows"),
     );
   };
   return fields([], list.map(row));
@@ -266,9 +268,10 @@ function split(formula, taken, stated) {
   return /^-?['\w]/.test(formula) ? { slope: formula, rest: "" } : {};
 }
 
-function runs(draft, evidence, wishes, change) {
+function runs(draft, constants, wishes, change) {
   const loads = draft.parameters.filter((p) => p.geometry && p.unit === "kg");
-  const all = new Map(loads.map((p) => [p.name, draft.stated[p.name] ?? `${number(p.value)} ${p.unit}`]));
+  const usual = (p) => draft.stated[p.name] ?? (p.input ? p.unit : `${number(p.value)} ${p.unit}`);
+  const all = new Map([...loads, ...constants].map((p) => [p.name, usual(p)]));
   const own = [...new Set([...draft.runs.flatMap((run) => Object.keys(run.own)), ...all.keys()])];
   const row = (run) => {
     const role = make(
