@@ -155,7 +155,7 @@ def cut(browser: Any, address: str) -> None:
 
 
 def dropped(browser: Any, address: str, folder: Path, place: Path) -> None:
-    """A recording with a word where a number belongs."""
+    """A recording with a word where a number belongs; then, without it, what each quantity is read from."""
     lines = (folder / "run-02.csv").read_text().splitlines()
     cells = lines[41].split(",")
     lines[41] = ",".join([*cells[:5], "n/a?", *cells[6:]])
@@ -165,6 +165,13 @@ def dropped(browser: Any, address: str, folder: Path, place: Path) -> None:
     page.set_input_files("#recordings", [folder / "run-01.csv", broken])
     page.locator(".problem").wait_for()
     still(page, "workbench-drop")
+    page.get_by_role("button", name="Remove run-02.csv").click()
+    page.set_input_files("#recordings", [folder / "run-02.csv", folder / "run-03.csv"])
+    page.locator(".draft:not(.waiting) tr", has_text="run-03").wait_for()
+    page.locator("#drop h3", has_text="What each quantity").evaluate(
+        "head => head.scrollIntoView()"
+    )
+    still(page, "workbench-draft")
 
 
 def opened(context: Any, address: str, wait: str = "#ladder .fit:not(:empty)") -> Any:

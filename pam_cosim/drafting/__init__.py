@@ -8,7 +8,7 @@ word of a field has a name here.
 """
 
 from pam_cosim.drafting.evidence import DraftRequests
-from pam_cosim.drafting.new import draft
+from pam_cosim.drafting.new import UnsimulatedDraft, draft
 from pam_cosim.drafting.questions import Guess, NewDataSet
 
-__all__ = ["Guess", "NewDataSet", "DraftRequests", "draft"]
+__all__ = ["Guess", "NewDataSet", "DraftRequests", "UnsimulatedDraft", "draft"]

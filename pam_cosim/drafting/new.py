@@ -116,12 +116,34 @@ def draft(
         for stated in (evidence.stated, *evidence.own):
             check_stated(stated, bench.interface)
         made = _draft(wishes, folder, bench, evidence, [copy_of[file] for file in evidence.files])
-        (place / FILE_NAME).write_text(document(made), encoding="utf-8", newline="\n")
+        text = document(made)
+        (place / FILE_NAME).write_text(text, encoding="utf-8", newline="\n")
         data = _read(place, {copy: file for file, copy in copy_of.items()}, describe)
-        _simulated(data, made, simulate)
+        told = guesses(made), (*losses(data), *questions(made))
+        commands = next_commands(folder, extra, bench.name)
+        new_data_set = NewDataSet(folder, data, bench.name, *told, commands)
+        try:
+            _simulated(data, made, simulate)
+        except InputError as problem:
+            raise UnsimulatedDraft(problem, new_data_set, text, bench.interface) from None
         _put(place, folder)
-    told = guesses(made), (*losses(data), *questions(made))
-    return NewDataSet(folder, data, bench.name, *told, next_commands(folder, extra, bench.name))
+    return new_data_set
+
+
+class UnsimulatedDraft(InputError):
+    """A draft whose first run cannot be simulated; nothing of it is written.
+
+    Attributes:
+        new_data_set: the draft.
+        text: of its ``experiment.toml``.
+        interface: of its bench.
+    """
+
+    def __init__(
+        self, problem: InputError, new_data_set: NewDataSet, text: str, interface: Interface
+    ) -> None:
+        super().__init__(problem.message, problem.file, problem.line, problem.column)
+        self.new_data_set, self.text, self.interface = new_data_set, text, interface
 
 
 def _draft(

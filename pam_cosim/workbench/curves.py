@@ -15,31 +15,38 @@ from pam_cosim.workbench.frames import PlottedCurve
 MOST_POINTS = 4000  # of a curve, one for each pixel of the widest screens
 
 
-def measured_curves(data: DataSet) -> list[PlottedCurve]:
+Part = tuple[float, float]
+"""Times [s] of a run between which its samples are drawn."""
+
+
+def measured_curves(data: DataSet, part: Part | None = None) -> list[PlottedCurve]:
     """Times from the first one on and measured signals of all runs; of points at rest, what they are drawn over instead
     of times, rising."""
     curves = []
     for run in data.runs:
         factor = readable_factor(run.along.unit) if run.along else 1.0
         begin = 0.0 if run.is_static else float(run.time[0])
-        time = shown_times(_rising(run, run.time * factor - begin))
+        rows = _rows(run, part)
+        time = shown_times(_rising(run, run.time * factor - begin)[rows])
         for name, values in run.measurements.items():
-            thinned_values = thinned(_rising(run, values * _factor(data, name)))
+            thinned_values = thinned(_rising(run, values * _factor(data, name))[rows])
             curves.append(
                 PlottedCurve(run.name, name, {"time": time, "values": thinned_values}, begin)
             )
     return curves
 
 
-def model_curves(runs: Sequence[RunComparison], recordings: DataSet) -> list[PlottedCurve]:
+def model_curves(
+    runs: Sequence[RunComparison], recordings: DataSet, part: Part | None = None
+) -> list[PlottedCurve]:
     """Modelled signals and residuals of all runs at all times that were recorded, NaN where a run was cut."""
     curves, recorded = [], {run.name: run for run in recordings.runs}
     for r in runs:
-        room = _room(r.run, recorded[r.run.name])
+        room, rows = _room(r.run, recorded[r.run.name]), _rows(recorded[r.run.name], part)
         for name in r.run.measurements:
             factor = _factor(recordings, name)
             model, residual = (
-                thinned(_rising(r.run, np.pad(values * factor, room, constant_values=np.nan)))
+                thinned(_rising(r.run, np.pad(values * factor, room, constant_values=np.nan))[rows])
                 for values in (r.model[name], r.residual(name))
             )
             curves.append(PlottedCurve(r.run.name, name, {"values": model, "residual": residual}))
@@ -50,6 +57,14 @@ def _room(run: Run, recording: Run) -> tuple[int, int]:
     """Rows that were recorded before and after those of a run."""
     before = int(np.searchsorted(recording.time, run.time[0], side="left")) if run.recorded else 0
     return before, len(recording.time) - before - len(run.time)
+
+
+def _rows(recording: Run, part: Part | None) -> slice:
+    """Rows of a recording that lie in a part of it, with one more at each end; None: all."""
+    if part is None:
+        return slice(None)
+    first, last = np.searchsorted(recording.time, part)
+    return slice(max(int(first) - 1, 0), int(last) + 1)
 
 
 def _rising(run: Run, values: Array) -> Array:

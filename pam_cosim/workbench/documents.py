@@ -10,8 +10,6 @@ from pam_cosim.workbench.session import Session
 NAMES = {
     "next.csv": "text/csv",
     "script.py": "text/x-python",
-    "model.mo": "text/plain",
-    "learned.mo": "text/plain",
     "report.html": "text/html",
 }
 
@@ -22,14 +20,9 @@ def document(session: Session, name: str) -> str:
     Raises:
         InputError: there is nothing of the kind.
     """
-    state, opened = session.state, session.opened
-    diagnosis = state.diagnosis
+    diagnosis = session.state.diagnosis
     if name == "script.py":
-        return python_of(state, session.first.model, session.folder, session.catalogue)
-    if name == "model.mo":
-        if not opened.text:
-            raise InputError("no effect is switched on: the model is the bench itself")
-        return opened.text
+        return python_of(session.state, session.first.model, session.folder, session.catalogue)
     if name == "report.html":
         from pam_cosim.reporting import (
             comparison_report,
@@ -41,8 +34,6 @@ def document(session: Session, name: str) -> str:
             if diagnosis is None
             else diagnosis_report(diagnosis)
         )
-    if name == "learned.mo" and diagnosis is not None and diagnosis.learned is not None:
-        return diagnosis.learned.term.modelica_source
-    if name == "next.csv" and diagnosis is not None and diagnosis.next_experiment is not None:
+    if diagnosis is not None and diagnosis.next_experiment is not None:
         return next_run_text(diagnosis.next_experiment)
     raise InputError(f"there is no {name}: the last diagnosis, if there was one, has none")

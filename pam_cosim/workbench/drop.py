@@ -15,11 +15,12 @@ import numpy as np
 from pydantic import ValidationError
 
 from pam_cosim import study
-from pam_cosim.drafting import NewDataSet
+from pam_cosim.drafting import NewDataSet, UnsimulatedDraft
 from pam_cosim.drafting.values import is_geometry
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_bytes
 from pam_cosim.measurement import any_text
+from pam_cosim.measurement.data_set import FILE_NAME
 from pam_cosim.measurement.experiment_tables import CheckedTable
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.reporting.account import unit_text
@@ -107,9 +108,14 @@ class Drop:
         with tempfile.TemporaryDirectory(prefix="pam-cosim-draft-") as scratch:
             try:
                 new_data_set = self._new(Path(scratch) / self.folder.resolve().name, wishes)
+            except UnsimulatedDraft as problem:
+                self._last = self._drafted(problem.new_data_set, problem.text, problem.interface)
+                return self._last | {"failed": failure(problem)}
             except InputError as problem:
                 return self.failed(wishes, problem)
-            self._last = self._drafted(new_data_set)
+            text = (new_data_set.folder / FILE_NAME).read_text(encoding="utf-8")
+            interface = study.describe(new_data_set.data.model, self.files)
+            self._last = self._drafted(new_data_set, text, interface)
             return self._last
 
     def failed(self, wishes: Mapping[str, Any], problem: Exception) -> Json:
@@ -121,13 +127,11 @@ class Drop:
             model="",
             benches=study.benches(),
             parts=self._parts(),
-            **dict.fromkeys(("runs", "names", "parameters"), ()),
+            **dict.fromkeys(("runs", "names", "parameters", "guesses", "starts", "to_check"), ()),
             **dict.fromkeys(("columns", "stated"), {}),
         )
-        empty_fields = dict.fromkeys(("guesses", "starts", "to_check", "curves"), ()) | {"toml": ""}
-        fields = (
-            last | empty_fields | {"failed": failure(problem), "excerpt": self._excerpt(problem)}
-        )
+        wrong = {"failed": failure(problem), "excerpt": self._excerpt(problem)}
+        fields = last | {"curves": (), "toml": ""} | wrong
         bench = str(wishes.get("model"))
         if bench in last["benches"] and bench != short_name(last["model"]):
             fields |= {"model": bench, **_quantities(study.describe(bench))}
@@ -161,9 +165,8 @@ class Drop:
         shown_lines = [text[:_LONGEST] for text in lines[first - 1 : line + _AROUND]]
         return {"first": first, "line": line, "header": lines[:1], "lines": shown_lines}
 
-    def _drafted(self, new_data_set: NewDataSet) -> Json:
-        toml = (new_data_set.folder / "experiment.toml").read_text(encoding="utf-8")
-        written = tomllib.loads(toml)
+    def _drafted(self, new_data_set: NewDataSet, text: str, interface: Interface) -> Json:
+        written = tomllib.loads(text)
         run_parameters = [run.get("parameters", {}) for run in written["runs"]]
         return event(
             "draft",
@@ -176,12 +179,12 @@ class Drop:
                 selected(run, "name role describe", own=stated)
                 for run, stated in zip(new_data_set.data.runs, run_parameters, strict=True)
             ],
-            **_quantities(study.describe(new_data_set.data.model, self.files)),
+            **_quantities(interface),
             benches=study.benches(),
             parts=self._parts(),
             columns=written.get("columns", {}),
             stated=written.get("parameters", {}),
-            toml=toml,
+            toml=text,
             curves=_curves(new_data_set),
         )
 

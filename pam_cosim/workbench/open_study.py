@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 import tempfile
 import threading
+from base64 import b64encode
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
@@ -14,8 +15,9 @@ from typing import Any
 
 from pam_cosim.comparison import Comparison, RunComparison, samples_in, scored, where
 from pam_cosim.errors import InputError
+from pam_cosim.measurement import DataSet, Run
 from pam_cosim.workbench.catalogue import Catalogue
-from pam_cosim.workbench.checks import one_of
+from pam_cosim.workbench.checks import is_number, one_of
 from pam_cosim.workbench.curves import measured_curves, model_curves
 from pam_cosim.workbench.frames import frame
 from pam_cosim.workbench.opened_model import Opened, made_for, open_model
@@ -77,6 +79,7 @@ class OpenStudy:
         self._looking = False
         self._open: Opened | None = None
         self._comparison: Comparison | None = None
+        self._drawn: dict[str, Sequence[RunComparison]] = {}  # by the kind of their frame
         self.simulated = Simulated()
         self._starts = StartsShown()
         try:
@@ -210,12 +213,12 @@ class OpenStudy:
         Raises:
             InputError: there is no such run, or what was before its first sample determines where it begins.
         """
-        recordings = {
-            run_data.name: run_data for run_data in self.state.data.runs if not run_data.is_static
-        }
-        recording = recordings[one_of(run, recordings, "recording")]
         trajectories = courses(
-            recording, self.state, self.opened, self.simulated.starts, only_start=True
+            _recording(self.state.data, run),
+            self.state,
+            self.opened,
+            self.simulated.starts,
+            only_start=True,
         )
         if not trajectories:
             raise InputError(
@@ -226,6 +229,7 @@ class OpenStudy:
     def _draw(self, state: State, runs: Sequence[RunComparison]) -> None:
         self.version += 1
         curves = model_curves(runs, self.source.whole(state.data))
+        self._drawn["model"] = runs
         self.windows.send(frame("model", self.version, curves, standing_label(state)), "model")
 
     def _tell_scores(self) -> None:
@@ -250,11 +254,30 @@ class OpenStudy:
 
     def draw_beside(self, kind: str, comparison: Comparison | None, label: str = "") -> None:
         """Draws another model together with the present one; None: removes it."""
+        self._drawn.pop(kind, None)
         if comparison is not None:
+            self._drawn[kind] = comparison.runs
             curves = model_curves(comparison.runs, self.source.whole(self.state.data))
             self.windows.send(frame(kind, self.version, curves, label), kind)
         elif self.windows.forget(kind):
             self.windows.send(frame(kind, self.version, []))
+
+    def samples(self, run: str, begin: float, end: float) -> Json:
+        """Curves of a part of a run between two times [s]: frames in base 64, with every sample where these are few.
+
+        Raises:
+            InputError: there is no such recording.
+        """
+        if not (is_number(begin) and is_number(end)):
+            raise InputError("begin and end must be times in seconds")
+        whole, part = self.source.whole(self.state.data), (begin, end)
+        recording = replace(whole, runs=(_recording(whole, run),))
+        curves = {"measured": measured_curves(recording, part)} | {
+            kind: model_curves([r for r in runs if r.run.name == run], recording, part)
+            for kind, runs in self._drawn.items()
+        }
+        frames = [frame(kind, self.version, some) for kind, some in curves.items()]
+        return {"frames": [b64encode(one).decode() for one in frames]}
 
     def tell_starts(self) -> None:
         """Sends where runs begin."""
@@ -279,6 +302,12 @@ class OpenStudy:
         about = (runs, data.signals, interface.outputs, data.domain, interface.inputs)
         rules = where(*about)
         self.windows.tell(where_event(rules, [samples_in(rule, *about) for rule in rules], version))
+
+
+def _recording(data: DataSet, run: str) -> Run:
+    """The recording of this name, which has times."""
+    recordings = {one.name: one for one in data.runs if not one.is_static}
+    return recordings[one_of(run, recordings, "recording")]
 
 
 def scored_runs(state: State, opened: Opened, runs: Sequence[RunComparison]) -> Comparison:

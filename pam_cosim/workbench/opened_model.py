@@ -26,7 +26,6 @@ class Opened:
         simulators: of that.
         parameters: what may be moved by a slider or a fit, by name.
         origin: the effect that brought a parameter, by its name; none for those of the base model.
-        text: Modelica source of the model with effects; "" without any.
         made_for: model, effects, and what of the data set it was made for; see ``made_for``.
     """
 
@@ -35,7 +34,6 @@ class Opened:
     simulators: Simulators
     parameters: dict[str, Free]
     origin: dict[str, str]
-    text: str
     made_for: object
 
     @property
@@ -71,12 +69,12 @@ def open_model(
         InputError: as ``Catalogue.composed``, or a model that lacks what the data set fits.
     """
     parameters_by_effect: dict[str, tuple[str, ...]] = {}
-    text, name, source_files = "", model, catalogue.files
+    name, source_files = model, catalogue.files
     if effects:
         composition = catalogue.composed(model, effects)
-        text, parameters_by_effect = composition.text, composition.parameters
+        parameters_by_effect = composition.parameters
         file = scratch / f"{composition.name}.mo"
-        write_text(file, text)
+        write_text(file, composition.text)
         name, source_files = str(file), catalogue.sources(model)
     opened = partial(models.opened, name, source_files, [START_VALUES] * data.estimates_starts)
     simulators = Simulators(opened(), opened)
@@ -93,7 +91,7 @@ def open_model(
         simulators.close()
         raise
     key = made_for(data, model, effects)
-    return Opened(name, source_files, simulators, parameters, origin, text, key)
+    return Opened(name, source_files, simulators, parameters, origin, key)
 
 
 def without_ratios(effects: Sequence[str]) -> tuple[str, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Collection
 from itertools import chain, count
 from pathlib import Path
@@ -10,8 +11,8 @@ from pathlib import Path
 from pam_cosim.errors import InputError
 from pam_cosim.wording import shown
 
-_LONGEST = 100
-_NAME = re.compile(rf"[A-Za-z0-9_][A-Za-z0-9_. ()+-]{{0,{_LONGEST - 1}}}")
+_LONGEST = 100  # bytes of a name
+_NAME = re.compile(r"\w[\w. ()+-]*")
 
 
 def safe_name(name: str) -> str:
@@ -21,7 +22,8 @@ def safe_name(name: str) -> str:
         InputError: nothing is left of it.
     """
     last = re.split(r"[\\/]", name)[-1]
-    allowed_name = re.sub(r"[^A-Za-z0-9_.()+ -]", "_", last).lstrip(". -")[-_LONGEST:]
+    allowed_name = re.sub(r"[^\w.()+ -]", "_", unicodedata.normalize("NFC", last)).lstrip(". -")
+    allowed_name = allowed_name.encode()[-_LONGEST:].decode(errors="ignore")
     if not _NAME.fullmatch(allowed_name):
         raise InputError(f"{shown(name)} cannot be the name of a file")
     return allowed_name.rstrip(" .")
@@ -32,15 +34,21 @@ def free_name(name: str, names: Collection[str]) -> str:
     used = {name_in_use.casefold() for name_in_use in names}
     stem, dot, ending = name.rpartition(".")
     stem, ending = (stem, dot + ending) if stem else (name, "")
-    numbered = (f"{stem[: _LONGEST - len(ending) - 5]}-{i}{ending}" for i in count(2))
+    numbered = (f"{_cut(stem, _LONGEST - len(ending.encode()) - 5)}-{i}{ending}" for i in count(2))
     return next(
         candidate for candidate in chain([name], numbered) if candidate.casefold() not in used
     )
 
 
+def _cut(name: str, length: int) -> str:
+    """The beginning of a name, of at most so many bytes."""
+    return name.encode()[:length].decode(errors="ignore")
+
+
 def is_name_here(name: str) -> bool:
     """Whether a file directly inside a folder may have this name."""
-    return _NAME.fullmatch(name) is not None and not name.endswith((" ", "."))
+    fits = _NAME.fullmatch(name) is not None and len(name.encode()) <= _LONGEST
+    return fits and not name.endswith((" ", "."))
 
 
 def inside(folder: Path, name: str) -> Path:

@@ -48,8 +48,9 @@ padded with spaces so that what follows begins at a multiple of 4 bytes), then 3
 has ``time_at`` too, of all that was recorded, counted from the time that its run has as ``from``: 32 bits hold the time
 since 1970 to two minutes only. In a frame of kind "model", "reference" (the model before the last step) or
 "found" (by a diagnosis), it has ``residual_at``; one of the last two without runs: there is no such model any more. The
-values are those
-at the times of the measured ones; missing samples, and the model where a run was cut, are NaN.
+values are those at the times of the measured ones; missing samples, and the model where a run was cut, are NaN. Long
+runs are thinned; the answer to the command ``samples`` (run, begin, end) has ``frames`` of a part of a run in base 64,
+with every sample where the part is short.
 """
 
 from __future__ import annotations

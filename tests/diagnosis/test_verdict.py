@@ -124,7 +124,7 @@ def test_what_leaves_structure_is_unknown_whatever_its_rivals() -> None:
         ("Dry",),
     )
     assert (
-        "separate dry_friction and rate_friction" in verdict.reason
+        "separate dry friction and rate friction" in verdict.reason
         and "something else" in verdict.reason
     )
     second = candidate(

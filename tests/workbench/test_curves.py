@@ -6,6 +6,7 @@ import asyncio
 import json
 import shutil
 import subprocess
+from base64 import b64decode
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,9 +15,11 @@ import numpy as np
 import pytest
 
 import pam_cosim.workbench
+from pam_cosim.errors import InputError
 from pam_cosim.workbench import Session
 from pam_cosim.workbench.curves import MOST_POINTS, measured_curves, shown_times, thinned
 from pam_cosim.workbench.frames import PlottedCurve, frame, is_model
+from tests.workbench.conftest import Window
 from tests.workbench.frames_read import read_frame
 
 PAGE = Path(pam_cosim.workbench.__file__).parent / "page"
@@ -150,3 +153,30 @@ def test_the_page_draws_and_cuts_by_such_a_clock(tmp_path: Path) -> None:
     )
     assert drawn["places"] == [round(997.3 * i / 9) for i in range(10)]
     assert drawn["cuts"] == [CLOCK + 1.2346, 1.2346, 12346.0, 0.0012346]
+
+
+def test_every_sample_of_a_part_of_a_long_run_is_given(
+    window: Window, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A run that is thinned as a whole, a part that is not; also with a run that was cut."""
+    monkeypatch.setattr("pam_cosim.workbench.curves.MOST_POINTS", 50)
+    window.do(do="cut", run="run-01", begin="1 s")
+    whole = window.frames[-1][1]["run-01", "p", "values"]
+    assert len(whole) == 50
+    answered = window.do(do="samples", run="run-01", begin=0.9, end=1.3)
+    kinds = {}
+    for text in answered["frames"]:
+        header, arrays = read_frame(b64decode(text))
+        kinds[header["kind"]] = arrays
+    run = window.session.source.whole(window.session.state.data).runs[0]
+    rows = slice(*np.searchsorted(run.time, (0.9, 1.3)) + [-1, 1])
+    times = kinds["measured"]["run-01", "p", "time"]
+    np.testing.assert_allclose(times, run.time[rows], atol=1e-6)
+    np.testing.assert_allclose(
+        kinds["measured"]["run-01", "p", "values"], run.measurements["p"][rows] / 1e3, rtol=1e-6
+    )
+    model = kinds["model"]["run-01", "p", "values"]
+    assert np.isnan(model[times < 1 - 1e-6]).all() and np.isfinite(model[times > 1 - 1e-6]).all()
+    for wrong in ({"run": "no"}, {"begin": "a"}, {"end": None}):
+        with pytest.raises(InputError):
+            window.do(**{"do": "samples", "run": "run-01", "begin": 0, "end": 1, **wrong})

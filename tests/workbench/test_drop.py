@@ -169,7 +169,9 @@ def test_no_letter_is_cut_where_a_file_is_long(
 @pytest.mark.parametrize(
     ("name", "made"),
     [("run.csv", "run.csv"), ("../../etc/passwd", "passwd"), ("C:\\data\\run 1.csv", "run 1.csv"),
-     (".hidden", "hidden"), ("Messung_ä(1).csv", "Messung__(1).csv"), ("a\nb.csv", "a_b.csv"), ("<b>.csv", "_b_.csv")],
+     (".hidden", "hidden"), ("Messung_ä(1).csv", "Messung_ä(1).csv"), ("a\nb.csv", "a_b.csv"), ("<b>.csv", "_b_.csv"),
+     ("実験1.csv", "実験1.csv"), ("a\u0308.csv", "ä.csv"),
+     (40 * "実" + ".csv", 32 * "実" + ".csv"), ("\ud800.csv", "_.csv")],
 )  # fmt: skip
 def test_names_become_names_of_files(name: str, made: str, tmp_path: Path) -> None:
     assert safe_name(name) == made and inside(tmp_path, safe_name(name)).parent == tmp_path
@@ -205,6 +207,28 @@ def test_what_was_said_wrong_can_be_said_otherwise(window: Window, recorded: Pat
     window.do(do="draft", wishes={})
     first = window.last("draft")
     assert first["names"] == [] and first["benches"] == good["benches"]
+
+
+def test_a_draft_that_cannot_be_simulated_keeps_fields_and_evidence(
+    window: Window, recorded: Path
+) -> None:
+    """A draw wire that reads 312 mm at rest: what is recognised stays beside the question."""
+    head, *rows = (recorded / "run-01.csv").read_text().splitlines()
+    place = next(i for i, name in enumerate(head.split(",")) if name.startswith("x "))
+    cells = [row.split(",") for row in rows]
+    for row in cells:
+        row[place] = str(312 - float(row[place]))
+    put(window, "run-01.csv", "\n".join([head, *map(",".join, cells)]).encode())
+    window.do(do="draft", wishes={})
+    draft = window.last("draft")
+    assert "which reading is zero" in draft["failed"]["text"]
+    assert draft["columns"]["x"]["formula"].startswith("-")
+    assert all(draft[key] for key in ("names", "parameters", "runs", "guesses", "curves", "toml"))
+    with pytest.raises(InputError, match="which reading is zero"):
+        window.do(do="create", wishes={})
+    assert not window.session.folder.exists()
+    window.do(do="draft", wishes={"columns": {"x": '"312 mm" - x'}})
+    assert window.last("draft")["failed"] is None
 
 
 def test_a_column_of_another_kind_is_refused_by_its_name(window: Window, recorded: Path) -> None:

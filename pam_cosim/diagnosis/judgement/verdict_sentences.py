@@ -173,7 +173,7 @@ def reason(verdict: Verdict) -> str:
 
 def _reasons(v: Verdict) -> list[str]:
     removed = f"{' + '.join(v.effects)} removes {100 * v.explained:.1f} % of the squared error beyond the noise"
-    apart = " and ".join(" + ".join(families) for families in v.alternatives)
+    apart = enumeration(dict.fromkeys(" + ".join(map(words, f)) for f in v.alternatives))
     if v.kind == "none_missing":
         return ["The residual is noise: these data show no missing effect.", _limits(v)]
     if v.kind == "ambiguous":

@@ -14,7 +14,7 @@ from pam_cosim.workbench.job_queue import StudyWithJobs
 
 _FUNCTIONS: tuple[Callable[..., Any], ...] = (
     add, begin, check, choose, cut, diagnose, fit, free, load, reset, roles, save, script, signal, switch, take, undo,
-    StudyWithJobs.stop, StudyWithJobs.resume, StudyWithJobs.discard,
+    StudyWithJobs.stop, StudyWithJobs.resume, StudyWithJobs.discard, StudyWithJobs.samples,
 )  # fmt: skip
 COMMANDS = dict(
     sorted([("set", set_values), *((function.__name__, function) for function in _FUNCTIONS)])

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from math import isfinite
 from typing import Any
-
-import numpy as np
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.measurement.run_names import stated_of
-from pam_cosim.units import UnitError, parse_quantity, readable_factor
+from pam_cosim.units import UnitError, format_quantity, parse_quantity, readable_factor
 from pam_cosim.wording import listed, shown
 from pam_cosim.workbench.checks import is_number, names_of, one_of, text_of
 from pam_cosim.workbench.job_queue import StudyWithJobs
@@ -32,15 +31,22 @@ def roles(study: StudyWithJobs, roles: Mapping[str, str]) -> None:
 
 
 def cut(
-    study: StudyWithJobs, run: str, begin: float | None = None, end: float | None = None
+    study: StudyWithJobs,
+    run: str,
+    begin: str | float | None = None,
+    end: str | float | None = None,
 ) -> None:
-    """Keeps of a run what lies between two times [s]; None: its beginning, or its end, as it was recorded.
+    """Keeps of a run what lies between two times, in seconds or with a unit; None: its beginning, or its end, as it was
+    recorded.
 
     Where it begins elsewhere than before, its start is chosen anew.
     """
     study.make_room()
     old, chosen = _run(study.state.data, run), study.state.chosen
-    first, last = _time(begin, "begin"), _time(end, "end")
+    recorded = _run(study.source.whole(study.state.data), run).time
+    first, last = _time("begin", begin), _time("end", end)
+    first = None if first is not None and first <= recorded[0] else first
+    last = None if last is not None and last >= recorded[-1] else last
     cuts = {**chosen.get("cuts", {}), old.name: [first, last]}
     starts = dict(chosen.get("starts", {}))
     data, _ = study.source.read(study.bench, chosen | {"cuts": cuts})
@@ -109,8 +115,11 @@ def free(study: StudyWithJobs, names: Sequence[str]) -> None:
 def state_values(study: StudyWithJobs, values: Mapping[str, float | None]) -> None:
     """States values of parameters that are not free [SI]; None: as the data set says."""
     stated = {**study.state.chosen.get("values", {}), **values}
+    settable = study.opened.simulator.interface.settable
     text = ", ".join(
-        f"{name} as the data set says" if value is None else f"{name} = {value:.4g}"
+        f"{name} as the data set says"
+        if value is None
+        else f"{name} = {format_quantity(value, settable[name.partition('@')[0]].unit, 5)}"
         for name, value in values.items()
     )
     values_by_name = {name: value for name, value in stated.items() if value is not None}
@@ -149,6 +158,8 @@ def _choose(
         {**state.chosen, **more},
         dict(state.values if values is None else values),
     )
+    if chosen == state.chosen and values_after == state.values:
+        return
     data, model_values = study.source.read(study.bench, chosen)
     step = Step(do, {"text": text, "chosen": chosen, "values": values_after})
     rungs = state.rungs if do in ("free", "state") else ()
@@ -185,9 +196,9 @@ def _run(data: DataSet, name: Any) -> Run:
     return runs[one_of(name, runs, "run")]
 
 
-def _time(value: Any, end: str) -> float | None:
-    if value is None:
-        return None
-    if not is_number(value) or not np.isfinite(value):
-        raise InputError(f"{end} must be a time in seconds, not {shown(value)}")
-    return float(value)
+def _time(name: str, value: Any) -> float | None:
+    """A time [s] of seconds, or of a text with a unit; None: none."""
+    time = None if value is None else in_si(name, value, "s")
+    if time is not None and not isfinite(time):
+        raise InputError(f"{name} must be a time in seconds, not {shown(value)}")
+    return time

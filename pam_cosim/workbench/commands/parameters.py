@@ -7,9 +7,11 @@ from typing import Any
 
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free
+from pam_cosim.model.interface import Variable
 from pam_cosim.model.settings import value_of
+from pam_cosim.units import readable_unit
 from pam_cosim.wording import shown
-from pam_cosim.workbench.checks import names_of, one_of
+from pam_cosim.workbench.checks import is_number, names_of, one_of
 from pam_cosim.workbench.commands.choices import in_si, state_values
 from pam_cosim.workbench.job_queue import StudyWithJobs
 from pam_cosim.workbench.steps import Step
@@ -39,7 +41,7 @@ def set_values(study: StudyWithJobs, values: Mapping[str, Any], dragged: bool = 
         elif held is None:
             one_of(name, {**study.opened.parameters, **settable}, "parameter", " to set")
         else:
-            stated[name] = None if value is None else value_of(in_si(name, value, held.unit), held)
+            stated[name] = None if value is None else _stated(value, held)
     hand = {"dragged": True} if dragged else {}
     if slider_values:
         _move(study, Step("set", {"values": slider_values} | hand))
@@ -65,6 +67,12 @@ def reset(study: StudyWithJobs, names: Sequence[str] | None = None) -> None:
 def _move(study: StudyWithJobs, step: Step) -> None:
     values = {**study.state.values, **step.arguments["values"]}
     study.enter(study.state.after(step, values=values, milestone=""), moved=True)
+
+
+def _stated(value: Any, variable: Variable) -> float:
+    """A value [SI]; a number is in the shown unit, which the message for a value out of range has too."""
+    unit = readable_unit(variable.unit) if is_number(value) and variable.kind == "Real" else ""
+    return value_of(f"{value} {unit}" if unit else value, variable)
 
 
 def _number(study: StudyWithJobs, free: Free, value: Any) -> float:

@@ -1,6 +1,8 @@
 // The dialog that writes the model with its effects as a Modelica file.
 
-import { make } from "./element.js";
+import { listed, make } from "./element.js";
+
+const LONGEST = 60; // letters of a name with all effects
 
 export class AddDialog {
   constructor(dialog, ask) {
@@ -32,7 +34,7 @@ export class AddDialog {
     this.name = make("input", {
       type: "text",
       required: true,
-      value: `${model}${effects.join("")}.mo`.replace(/[^\w.]/g, ""),
+      value: `${brief(model, effects)}.mo`.replace(/[^\w.]/g, ""),
       "aria-label": "File",
     });
     const form = make(
@@ -41,7 +43,7 @@ export class AddDialog {
       make(
         "p",
         {},
-        `${model} with ${effects.join(" and ")}, as a Modelica class in the folder of the data set.` +
+        `${model} with ${listed(effects)}, as a Modelica class in the folder of the data set.` +
           (on.length ? "" : " The verdict asks for it; the values are those that were fitted."),
       ),
       make("label", { class: "line" }, "file", this.name),
@@ -71,4 +73,10 @@ export class AddDialog {
     );
     close.focus();
   }
+}
+
+/** A name for the model, with its effects as long as that stays short. */
+function brief(model, effects) {
+  const name = model + effects.join("");
+  return name.length > LONGEST ? `${model}With${effects.length}Effects` : name;
 }

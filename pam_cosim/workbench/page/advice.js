@@ -23,12 +23,13 @@ export function advice(sentence, answer) {
 }
 
 function button(option, value, answer) {
-  const pair = /^([^=]+)=([^]*)$/.exec(value);
+  const pair = option in GROUPS && /^([^=]+)=([^]*)$/.exec(value);
   const group = GROUPS[option] ?? option;
   const [name, text] = group === option ? ["", value] : pair ? [pair[1], pair[2]] : ["", value];
   const open = !text || /^(NAME|\.\.\.|COLUMN|VALUE|FORMULA|TYPE)/.test(text) || (EXAMPLES.includes(option) && text !== "0");
   const known = name && !/^(NAME|KEY)/.test(name) ? name : "";
-  const label = open ? (known ? `state ${known}` : `state the ${option}`) : known ? `${known} = ${text}` : text;
+  const example = text.includes(" ") ? `${option}: ${text}` : `state the ${option}`;
+  const label = open ? (known ? `${group === "columns" ? "column of" : "state"} ${known}` : example) : known ? `${known} = ${text}` : text;
   return make(
     "button",
     { type: "button", class: "advice", onclick: () => answer(group, known, open ? "" : text) },

@@ -4,7 +4,7 @@ import { begin, text } from "./drawing.js";
 import { tickLabels, ticks } from "./numbers.js";
 import { LEFT, RIGHT, scale } from "./signal-chart.js";
 
-const NARROWEST = 46; // px for the name of a run
+const APART = 8; // px between the names of runs
 const PER_TICK = 46; // px
 
 /** Names and roles of the runs, where there is room. */
@@ -16,7 +16,7 @@ export function drawNames(canvas, view, colours) {
     const role = run.role === "holdout" ? "held out" : "";
     for (const words of [[run.name, role].filter(Boolean).join(", "), run.name, run.short, run.short.slice(0, 3)]) {
       g.font = "600 11px system-ui, sans-serif";
-      if (b - a < Math.min(NARROWEST, g.measureText(words).width + 4) || g.measureText(words).width > b - a) continue;
+      if (g.measureText(words).width + APART > b - a) continue;
       text(g, words, a + 2, height - 5, role ? colours.soft : colours.ink, { bold: true });
       break;
     }

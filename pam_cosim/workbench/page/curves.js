@@ -1,6 +1,7 @@
 // The middle of the page: for each signal measured against model, residual and error map, all zoomed together.
 
 import { drawAxis, drawNames } from "./axis-charts.js";
+import { Detail } from "./detail.js";
 import { make, say } from "./element.js";
 import { Plane, cellAt } from "./error-map.js";
 import { quantity } from "./numbers.js";
@@ -32,6 +33,7 @@ export class Curves {
       colours: palette(),
       version: -1,
     });
+    this.detail = new Detail(ask, () => this.later());
     this.names = make("canvas", { class: "names", "aria-hidden": "true" });
     this.axis = make("canvas", { class: "axis", "aria-hidden": "true" });
     this.stack = make("div", { class: "stack", tabIndex: 0, role: "group", "aria-label": KEYS });
@@ -60,6 +62,7 @@ export class Curves {
     if (frame.kind === "model" && frame.version < this.version) return;
     if (frame.kind === "model") this.version = frame.version;
     this.frames[frame.kind] = frame.runs.size ? frame.runs : null;
+    this.detail.forget();
     this.labels[frame.kind] = frame.label;
     if (frame.kind === "measured") this.lay();
     if (frame.kind === "model" && performance.now() - this.drawn > SCREEN) this.draw();
@@ -112,7 +115,7 @@ export class Curves {
       "div",
       { class: "row-head" },
       make("span", { class: "name" }, signal.name),
-      make("span", {}, `${signal.quantity ?? ""}${unit}`.trim()),
+      make("span", { class: "quantity" }, `${signal.quantity ?? ""}${unit}`.trim()),
       make("span", { class: "soft" }, use),
       readout,
     );
@@ -151,7 +154,8 @@ export class Curves {
 
   draw() {
     if (this.host.hidden || !this.frames.measured) return;
-    const { view, frames, colours } = this;
+    const { view, colours } = this;
+    const frames = this.shown();
     drawNames(this.names, view, colours);
     const plane = this.divided();
     this.host.classList.toggle("flat", !plane);
@@ -165,8 +169,14 @@ export class Curves {
       );
     }
     drawAxis(this.axis, view, this.along(), colours);
+    this.detail.want(view, this.frames.measured);
     this.drawn = performance.now();
     document.dispatchEvent(new CustomEvent("drawn", { detail: { version: this.version } }));
+  }
+
+  /** The frames, with every sample of what is zoomed in on. */
+  shown() {
+    return this.detail.over(this.frames, this.view);
   }
 
   /** What the curves are drawn over. */
@@ -190,8 +200,9 @@ export class Curves {
   words(there, signal) {
     if (!there) return "";
     const { run } = there;
+    const digits = Math.min(9, Math.max(3, Math.ceil(3 - Math.log10(this.view.to - this.view.from))));
     const at = !run.points
-      ? `${there.at.toFixed(3)} s`
+      ? `${there.at.toFixed(digits)} s`
       : run.along
         ? `${run.along} = ${quantity(there.at, run.unit)}`
         : `point ${there.at}`;

@@ -2,7 +2,7 @@
 
 import { advice, bareName, cells } from "./advice.js";
 import { begin, text, trace } from "./drawing.js";
-import { make } from "./element.js";
+import { fields, make } from "./element.js";
 import { number, tickLabels, ticks } from "./numbers.js";
 import { palette } from "./palette.js";
 
@@ -19,18 +19,19 @@ const READING = {
 /** The elements of a draft; `change(group, name, value)` is told what a person says. */
 export function draftParts(draft, wishes, change, files) {
   const evidence = new Map(draft.guesses.map((g) => [/^[^\s[:,]+/.exec(g.taken_as)?.[0] ?? "", g]));
+  const constants = draft.names.filter((n) => n.input && !evidence.has(n.name) && !draft.columns[n.name]);
   const answer = (group, name, value) => (value ? change(group, name, value) : seek(group, name));
   return [
     draft.failed ? problem(draft, answer) : null,
     said(wishes, change),
-    draft.benches.length ? rig(draft, wishes, change, answer) : null,
+    draft.benches.length ? rig(draft, constants, wishes, change) : null,
     sentences("Please check: only you know", draft.to_check, answer),
     sentences("Recordings that begin in the middle", draft.starts, answer),
     draft.names.length ? columns(draft, evidence, wishes, change, answer, files) : null,
     draft.curves.length
       ? make("section", {}, make("h3", {}, "Preview"), make("div", { class: "previews" }, previews(draft)))
       : null,
-    draft.runs.length ? runs(draft, evidence, wishes, change) : null,
+    draft.runs.length ? runs(draft, constants, wishes, change) : null,
     reading(wishes, change),
     others(draft, answer),
     draft.toml
@@ -135,7 +136,7 @@ function said(wishes, change) {
 }
 
 /** The bench, the muscle, its measures: with what is taken until somebody says otherwise. */
-function rig(draft, wishes, change, answer) {
+function rig(draft, constants, wishes, change) {
   const model = draft.model.split(/[\\/]/).at(-1).split(".").filter((part) => part !== "mo").at(-1) ?? "";
   const part = (role) => draft.parts.filter((one) => one.role === role);
   const rigs = part("pneumatics").flatMap((a) =>
@@ -165,7 +166,7 @@ function rig(draft, wishes, change, answer) {
     ),
     choices("benches", [...draft.benches.map((name) => [name, "a bench of the library"]), ...rigs]),
     choices("muscles", part("muscle").map((one) => [one.name, one.description])),
-    parameters(draft.parameters.filter(shown), draft, wishes, change),
+    parameters([...constants, ...draft.parameters.filter(shown)], draft, wishes, change),
     make(
       "details",
       {},
@@ -178,17 +179,18 @@ function rig(draft, wishes, change, answer) {
 function parameters(list, draft, wishes, change) {
   const row = (p) => {
     const stated = draft.stated[p.name];
-    const usual = `${number(p.value)} ${p.unit}`.trim();
+    const usual = p.input ? p.unit : `${number(p.value)} ${p.unit}`.trim();
+    const source = p.input ? "not recorded: a constant" : "the bench's own";
     return make(
       "tr",
       {},
       make("td", {}, make("code", {}, p.name)),
       make("td", {}, field("parameters", p.name, wishes, change, { size: 12, placeholder: String(stated ?? usual) })),
       make("td", {}, p.description),
-      make("td", { class: "soft" }, wishes.parameters[p.name] ? "" : stated === undefined ? "the bench's own" : "follows"),
+      make("td", { class: "soft" }, wishes.parameters[p.name] ? "" : stated === undefined ? source : "follows"),
     );
   };
-  return make("div", { class: "scroll" }, make("table", {}, make("tbody", {}, list.map(row))));
+  return fields([], list.map(row));
 }
 
 /** Each quantity of the bench: its column or formula, and why. */
@@ -208,8 +210,9 @@ function columns(draft, evidence, wishes, change, answer, files) {
         "td",
         {},
         field("columns", n.name, wishes, change, {
-          size: 26,
+          size: 34,
           list: "heads",
+          title: now ? String(now) : "",
           placeholder: now ? String(now) : "a column, or a formula",
         }),
       ),
@@ -217,25 +220,16 @@ function columns(draft, evidence, wishes, change, answer, files) {
       make("td", {}, guess?.why ? advice(guess.why.replace(/^guessed: /, ""), answer) : n.description),
     );
   };
-  const head = ["quantity", "column or formula", "reads zero at", "evidence"].map((word) => make("th", {}, word));
   const time = { name: "time", unit: "s", kind: "", input: true, description: "the clock of the rows" };
   return section(
     "What each quantity is read from",
     choices("heads", [...new Set(seen)].map((name) => [name])),
-    make(
-      "div",
-      { class: "scroll" },
-      make(
-        "table",
-        { class: "fields" },
-        make("thead", {}, make("tr", {}, head)),
-        make("tbody", {}, [...draft.names.map(row), row(time)]),
-      ),
-    ),
+    fields(["quantity", "column or formula", "reads zero at", "evidence"], [...draft.names.map(row), row(time)]),
     make(
       "p",
       { class: "soft" },
-      `A formula is arithmetic of columns and quantities, as in "312.6 mm" - Weg * "1 mm".`,
+      `A formula is arithmetic of columns and quantities: "312.6 mm" - Weg where the heading of Weg states its unit, ` +
+        `"312.6 mm" - Weg * "1 mm" where it does not.`,
     ),
   );
 }
@@ -274,8 +268,11 @@ function split(formula, taken, stated) {
   return /^-?['\w]/.test(formula) ? { slope: formula, rest: "" } : {};
 }
 
-function runs(draft, evidence, wishes, change) {
-  const own = [...new Set(draft.runs.flatMap((run) => Object.keys(run.own)))];
+function runs(draft, constants, wishes, change) {
+  const loads = draft.parameters.filter((p) => p.geometry && p.unit === "kg");
+  const usual = (p) => draft.stated[p.name] ?? (p.input ? p.unit : `${number(p.value)} ${p.unit}`);
+  const all = new Map([...loads, ...constants].map((p) => [p.name, usual(p)]));
+  const own = [...new Set([...draft.runs.flatMap((run) => Object.keys(run.own)), ...all.keys()])];
   const row = (run) => {
     const role = make(
       "select",
@@ -294,7 +291,7 @@ function runs(draft, evidence, wishes, change) {
       make(
         "td",
         {},
-        field("parameters", `${name}@${run.name}`, wishes, change, { size: 8, placeholder: String(run.own[name] ?? "") }),
+        field("parameters", `${name}@${run.name}`, wishes, change, { size: 8, placeholder: String(run.own[name] ?? all.get(name) ?? "") }),
       ),
     );
     return make(
@@ -306,15 +303,7 @@ function runs(draft, evidence, wishes, change) {
       make("td", { class: "soft" }, guess?.why.replace(/^guessed: /, "") ?? ""),
     );
   };
-  const heads = ["run", "role", ...own, "evidence"].map((word) => make("th", {}, word));
-  return section(
-    "Runs",
-    make(
-      "div",
-      { class: "scroll" },
-      make("table", {}, make("thead", {}, make("tr", {}, heads)), make("tbody", {}, draft.runs.map(row))),
-    ),
-  );
+  return section("Runs", fields(["run", "role", ...own, "evidence"], draft.runs.map(row)));
 }
 
 /** How the files are to be read, where they do not show it. */
@@ -332,7 +321,7 @@ function reading(wishes, change) {
     "details",
     {},
     make("summary", {}, "How the files are to be read"),
-    make("table", {}, make("tbody", {}, [...names].map(row))),
+    fields([], [...names].map(row)),
   );
 }
 
@@ -352,7 +341,7 @@ function others(draft, answer) {
       make("td", {}, g.taken_as),
       make("td", {}, advice(g.why.replace(/^guessed: /, ""), answer)),
     );
-  return section("What else was taken", make("div", { class: "scroll" }, make("table", {}, make("tbody", {}, rest.map(row)))));
+  return section("What else was taken", fields([], rest.map(row)));
 }
 
 function previews(draft) {

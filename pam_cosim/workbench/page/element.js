@@ -48,3 +48,14 @@ export function table(heads, rows, properties = {}) {
   );
   return make("div", { class: "scroll" }, make("table", properties, head, body));
 }
+
+/** A table of fields, its rows made already: it scrolls sideways; on a narrow page each row is a stack of cells with
+ * their heads. */
+export function fields(heads, rows, tag = "div") {
+  for (const row of rows) [...row.cells].forEach((cell, i) => (cell.dataset.head = heads[i] ?? ""));
+  const head = make("tr", {}, heads.map((word) => make("th", {}, word)));
+  return make(tag, { class: "scroll" }, make("table", { class: "fields" }, make("thead", {}, head), make("tbody", {}, rows)));
+}
+
+/** Words with commas, the last after "and". */
+export const listed = (words) => [words.slice(0, -1).join(", "), words.at(-1)].filter(Boolean).join(" and ");

@@ -1,9 +1,9 @@
-// The curves that are shown as a file: PNG and SVG as they stand on the screen, CSV with their numbers.
+// The curves that are shown as a file: PNG and SVG with a legend, CSV with their numbers.
 
 import { drawAxis, drawNames } from "./axis-charts.js";
-import { lower } from "./drawing.js";
+import { begin, lower, text } from "./drawing.js";
 import { moment } from "./numbers.js";
-import { drawSignal } from "./signal-chart.js";
+import { LEFT, drawSignal } from "./signal-chart.js";
 
 const HEAD = 18; // px for the name of a signal
 const NAMES = 20,
@@ -75,25 +75,48 @@ class Recorder {
   }
 }
 
-/** The parts of the picture: what draws each on a canvas, with its height. */
-function lanes({ view, signals, frames, colours, rows }, unit) {
+/** The parts of the picture: what draws each on a canvas, with its height; without cursor and grips. */
+function lanes(curves) {
+  const { signals, colours, rows } = curves;
+  const frames = curves.shown();
+  const view = Object.assign(Object.create(curves.view), { cursor: null, bare: true });
   const title = (signal) => `${signal.name}, ${signal.quantity ?? ""}${signal.unit ? ` [${signal.unit}]` : ""}`;
   return [
+    { height: HEAD, draw: (canvas) => drawLegend(canvas, curves) },
     { height: NAMES, draw: (canvas) => drawNames(canvas, view, colours) },
     ...signals.map((signal, i) => ({
       height: rows[i].canvas.clientHeight,
       title: title(signal),
       draw: (canvas) => drawSignal(canvas, view, signal, frames, colours),
     })),
-    { height: AXIS, draw: (canvas) => drawAxis(canvas, view, unit, colours) },
+    { height: AXIS, draw: (canvas) => drawAxis(canvas, view, curves.along(), colours) },
   ];
 }
 
-/** The curves as they are shown, as the text of an SVG. */
-export function svgOf(curves) {
+/** Which line is which. */
+function drawLegend(canvas, { frames, labels, colours }) {
+  const { g } = begin(canvas);
+  const words = { measured: "measured", model: "model", reference: labels.reference || "before", found: labels.found };
+  let x = LEFT;
+  for (const [kind, name] of Object.entries(words)) {
+    if (!frames[kind]) continue;
+    const dashes = { reference: [4, 3], found: [6, 3] }[kind] ?? [];
+    Object.assign(g, { strokeStyle: colours[kind === "reference" ? "before" : kind], lineWidth: 1.7 });
+    g.setLineDash(dashes);
+    g.beginPath();
+    g.moveTo(x, HEAD / 2);
+    g.lineTo(x + 20, HEAD / 2);
+    g.stroke();
+    text(g, name, x + 26, HEAD / 2, colours.ink, { base: "middle" });
+    x += 44 + g.measureText(name).width;
+  }
+}
+
+/** The curves as they are shown, as the text of an SVG, with its size. */
+function picture(curves) {
   const width = curves.rows[0].canvas.clientWidth;
   let top = 0;
-  const parts = lanes(curves, curves.along()).map(({ height, title, draw }, i) => {
+  const parts = lanes(curves).map(({ height, title, draw }, i) => {
     const recorder = new Recorder();
     const canvas = { clientWidth: width, clientHeight: height, width, height, getContext: () => recorder };
     draw(canvas);
@@ -106,15 +129,26 @@ export function svgOf(curves) {
     top += head + height;
     return made;
   });
-  return (
+  const svg =
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${top}" viewBox="0 0 ${width} ${top}" ` +
     `font-family="system-ui, 'Segoe UI', 'DejaVu Sans', sans-serif">` +
-    `<rect width="${width}" height="${top}" fill="${curves.colours.ground}"/>${parts.join("")}</svg>`
-  );
+    `<rect width="${width}" height="${top}" fill="${curves.colours.ground}"/>${parts.join("")}</svg>`;
+  return { svg, width, height: top };
+}
+
+/** A picture as pixels, `SHARP` for each of the screen. */
+async function pixels({ svg, width, height }) {
+  const image = Object.assign(new Image(), { src: `data:image/svg+xml,${encodeURIComponent(svg)}` });
+  await image.decode();
+  const canvas = Object.assign(document.createElement("canvas"), { width: SHARP * width, height: SHARP * height });
+  canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+  return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
 }
 
 /** The samples that are shown: a row for each sample of each signal. */
-export function csvOf({ view, signals, frames }) {
+export function csvOf(curves) {
+  const { view, signals } = curves;
+  const frames = curves.shown();
   const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const value = (one) => (one === undefined || Number.isNaN(one) ? "" : String(Number(one.toPrecision(7))));
   const lines = ["run,signal,unit,time,measured,model,residual"];
@@ -144,28 +178,9 @@ function save(name, content) {
 }
 
 /** Saves what is shown: "png", "svg" or "csv". */
-export function download(curves, kind, title) {
+export async function download(curves, kind, title) {
   const name = `${title.replace(/[^\p{L}\p{N}_-]+/gu, "-") || "curves"}.${kind}`;
-  if (kind === "csv") return save(name, new Blob([csvOf(curves)], { type: "text/csv" }));
-  if (kind === "svg") return save(name, new Blob([svgOf(curves)], { type: "image/svg+xml" }));
-  const width = curves.rows[0].canvas.clientWidth;
-  const all = lanes(curves, curves.along());
-  const height = all.reduce((sum, lane) => sum + lane.height + (lane.title ? HEAD : 0), 0);
-  const picture = Object.assign(document.createElement("canvas"), { width: SHARP * width, height: SHARP * height });
-  const g = picture.getContext("2d");
-  let top = 0;
-  g.fillStyle = curves.colours.ground;
-  g.fillRect(0, 0, picture.width, picture.height);
-  const shown = [curves.names, ...curves.rows.map((row) => row.canvas), curves.axis];
-  all.forEach(({ height, title }, i) => {
-    g.setTransform(SHARP, 0, 0, SHARP, 0, 0);
-    if (title) {
-      Object.assign(g, { fillStyle: curves.colours.ink, font: "12px system-ui, sans-serif" });
-      g.fillText(title, 4, top + 13);
-      top += HEAD;
-    }
-    g.drawImage(shown[i], 0, top, shown[i].clientWidth, height);
-    top += height;
-  });
-  picture.toBlob((blob) => save(name, blob), "image/png");
+  if (kind === "csv") save(name, new Blob([csvOf(curves)], { type: "text/csv" }));
+  else if (kind === "svg") save(name, new Blob([picture(curves).svg], { type: "image/svg+xml" }));
+  else save(name, await pixels(picture(curves)));
 }

@@ -9,7 +9,7 @@ const WIDEST = 150; // px, of a step
 const LONGEST = 44; // px, of a rung
 const LOWEST = 0.75; // of the smallest error, where the scale begins
 const ROLES = ["fit", "holdout"];
-const WORDS = { fit: "fitted runs", holdout: "held out" };
+const WORDS = { fit: "fitted", holdout: "held out" };
 
 export class Ladder {
   constructor(host) {

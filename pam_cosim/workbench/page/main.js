@@ -23,6 +23,8 @@ import { Whole } from "./whole.js";
 const view = new View();
 const NAMES = { fit: "The fit", diagnose: "The diagnosis", check: "The check" };
 const ENDS = { done: "is done", stopped: "was ended", failed: "has failed" };
+const WORKING = "Working …",
+  PATIENCE = 500; // ms, after which it is said that a command takes long
 const done = new Set(); // what was done in this study: it says what comes next
 let study = null,
   busy = null,
@@ -33,13 +35,17 @@ let study = null,
 
 /** Sends a command; what is wrong is said at the top, or to `failed`. The answer, or null. */
 async function ask(what, values = {}, failed = alert) {
+  const slow = setTimeout(() => status(WORKING), PATIENCE);
   try {
     const answer = await connection.ask(what, values);
-    if (byId("alert").dataset.of === "command") byId("alert").hidden = true;
+    if (failed === alert && byId("alert").dataset.of === "command") byId("alert").hidden = true;
     return answer ?? {};
   } catch (problem) {
     failed(problem);
     return null;
+  } finally {
+    clearTimeout(slow);
+    if (byId("status-text").textContent === WORKING) status(busy ? busy.text : told || "Ready");
   }
 }
 
@@ -103,7 +109,8 @@ const hear = {
   },
   starts(event) {
     parts.starts.show(event);
-    const impossible = event.runs.filter((start) => start.warning).map((start) => start.text);
+    const failed = new Set((parts.runs.scores?.failed ?? []).map(({ run }) => run)); // it is said of these already
+    const impossible = event.runs.filter((one) => one.warning && !failed.has(one.run)).map((one) => one.text);
     if (impossible.join() !== warned) {
       warned = impossible.join();
       if (warned) alert({ text: impossible.join("; ") });

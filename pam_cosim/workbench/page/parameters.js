@@ -183,7 +183,8 @@ export class Row {
   }
 
   typed() {
-    if (this.number.value.trim()) this.set({ [this.p.name]: typed(this.number.value) }, true);
+    const value = typed(this.number.value);
+    if (value !== null) this.set({ [this.p.name]: value }, true);
   }
 
   share(value) {

@@ -90,8 +90,10 @@ function cuts(g, view, across, height, colours) {
     Object.assign(g, { fillStyle: colours.soft, globalAlpha: 0.9 });
     if (low - first > 1) g.fillRect(low - 0.5, 0, 1, height);
     if (last - high > 1) g.fillRect(high - 0.5, 0, 1, height);
-    g.fillRect(low, 0, GRIP.width, GRIP.height);
-    g.fillRect(high - GRIP.width, 0, GRIP.width, GRIP.height);
+    if (!view.bare) {
+      g.fillRect(low, 0, GRIP.width, GRIP.height);
+      g.fillRect(high - GRIP.width, 0, GRIP.width, GRIP.height);
+    }
     g.globalAlpha = 1;
   }
 }

@@ -1,6 +1,6 @@
 // A verdict in words and tables: reasons, parameters, next experiment, learned term.
 
-import { make, table } from "./element.js";
+import { listed, make, table } from "./element.js";
 
 /**
  * The head of a verdict and what stands below the ranking; `take()` makes what it found the model, `addLearned()`
@@ -73,7 +73,7 @@ function takeButton(v, take) {
   return make(
     "button",
     { type: "button", class: kind, onclick: take },
-    `Take ${v.effects.join(" and ")} into the model`,
+    `Take ${listed(v.effects)} into the model`,
   );
 }
 

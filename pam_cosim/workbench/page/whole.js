@@ -1,12 +1,15 @@
 // The whole study: every parameter with its source, every signal with its switch, every run with its role and times.
 
-import { make } from "./element.js";
+import { fields, make } from "./element.js";
 import { number, plain } from "./numbers.js";
 
 const GIVEN = /^\s*[-+]?[\d.]+(e[-+]?\d+)?\s*$/i;
 
-/** What was typed: a number in the shown unit, or a text with a unit. */
-export const typed = (text) => (GIVEN.test(text) ? Number(text) : text.trim());
+/** What was typed: a number in the shown unit, or a text with a unit, which the server reads; null: nothing. */
+export function typed(text) {
+  const number = Number(text);
+  return text.trim() === "" ? null : GIVEN.test(text) && Number.isFinite(number) ? number : text.trim();
+}
 
 export class Whole {
   /** `set(values, typed)` sends values, `ask` commands. */
@@ -29,11 +32,11 @@ export class Whole {
     const focus = document.activeElement?.getAttribute("aria-label");
     this.tables.replaceChildren(
       make("div", { class: "head" }, make("h3", {}, "Parameters"), this.search),
-      scrolled(["free", "parameter", "value", "unit", "bounds", "where it comes from"], this.parameters(study)),
+      fields(["free", "parameter", "value", "unit", "bounds", "where it comes from"], this.parameters(study), "fieldset"),
       make("h3", {}, "Signals"),
-      scrolled(["fitted", "signal", "noise σ", "unit", ""], study.signals.map((one) => this.signal(one))),
+      fields(["fitted", "signal", "noise σ", "unit", ""], study.signals.map((one) => this.signal(one)), "fieldset"),
       make("h3", {}, "Runs"),
-      scrolled(["held out", "run", "from", "to", ""], study.runs.map((one) => this.run(one))),
+      fields(["held out", "run", "from", "to", ""], study.runs.map((one) => this.run(one)), "fieldset"),
     );
     this.filter();
     this.lock(this.busy);
@@ -68,7 +71,7 @@ export class Whole {
         size: 10,
         value: plain(p.value),
         "aria-label": `Value of ${p.name}`,
-        onchange: () => this.set({ [p.name]: field.value.trim() === "" && !p.is_free ? null : typed(field.value) }, true),
+        onchange: () => this.say(field, this.set({ [p.name]: typed(field.value) }, true)),
       });
       const name = make("td", { title: p.description }, make("code", {}, p.name), make("small", {}, p.description));
       return make(
@@ -96,7 +99,7 @@ export class Whole {
       size: 10,
       value: plain(s.noise),
       "aria-label": `Noise of ${s.name}`,
-      onchange: () => this.ask("signal", { name: s.name, sigma: typed(field.value) }),
+      onchange: () => this.say(field, this.ask("signal", { name: s.name, sigma: typed(field.value) })),
     });
     return make(
       "tr",
@@ -124,10 +127,7 @@ export class Whole {
         disabled: r.static,
         value: r.static ? "" : String(Number(ends[side].toPrecision(10))),
         "aria-label": `${side === "begin" ? "Beginning" : "End"} of ${r.name}, s`,
-        onchange: (e) => {
-          const text = e.target.value.trim();
-          this.ask("cut", { run: r.name, ...ends, [side]: text === "" ? null : Number(text) });
-        },
+        onchange: (e) => this.say(e.target, this.ask("cut", { run: r.name, ...ends, [side]: typed(e.target.value) })),
       });
     return make(
       "tr",
@@ -140,6 +140,15 @@ export class Whole {
     );
   }
 
+  /** What was typed stays, marked, where the server refused it; else the field shows the value that holds. */
+  async say(field, answer) {
+    const taken = await answer;
+    field.setAttribute("aria-invalid", String(!taken));
+    if (!taken) return;
+    this.key = null;
+    this.study(this.now);
+  }
+
   filter() {
     const words = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
     for (const row of this.tables.querySelectorAll("tr[data-name]"))
@@ -150,11 +159,4 @@ export class Whole {
     this.busy = busy;
     for (const field of this.tables.querySelectorAll("fieldset")) field.disabled = busy;
   }
-}
-
-/** A table that scrolls sideways, in a fieldset that can be locked as a whole. */
-function scrolled(heads, rows) {
-  const head = make("tr", {}, heads.map((word) => make("th", {}, word)));
-  const whole = make("table", { class: "whole" }, make("thead", {}, head), make("tbody", {}, rows));
-  return make("fieldset", { class: "scroll" }, whole);
 }

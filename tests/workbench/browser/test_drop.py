@@ -98,7 +98,7 @@ def test_a_wire_whose_zero_is_elsewhere_becomes_a_contraction(
         page.set_input_files("#recordings", [file])
         page.locator(".problem").wait_for()
         assert "which reading is zero" in page.locator(".problem").inner_text()
-        page.get_by_role("button", name='x = "313 mm" - Seilweg').click()
+        page.locator(".problem").get_by_role("button", name='x = "313 mm" - Seilweg').click()
         page.locator(".preview").first.wait_for()
         say(page, "muscle", "any-geometry")
         page.locator('[data-wish="parameter muscle.sleeve.alpha_0"]').wait_for()
@@ -120,6 +120,26 @@ def test_a_wire_whose_zero_is_elsewhere_becomes_a_contraction(
     data = study.read(folder)
     recorded = [float(row.split(",")[place]) * 1e-3 for row in rows]
     np.testing.assert_allclose(data.runs[0].measurements["x"], recorded, atol=1e-7)
+
+
+@pytest.mark.full
+def test_an_input_that_was_not_recorded_has_a_field(
+    opened: Callable[..., Any], muscle: Path, tmp_path: Path
+) -> None:
+    rows = [row.split(",") for row in (muscle / "run-01.csv").read_text().splitlines()]
+    place = next(i for i, name in enumerate(rows[0]) if name.startswith("p_supply"))
+    file, folder = tmp_path / "run-01.csv", tmp_path / "my-rig"
+    file.write_text("\n".join(",".join(row[:place] + row[place + 1 :]) for row in rows))
+    with serving(folder) as address:
+        page = opened(address, wait=".zone")
+        page.set_input_files("#recordings", [file])
+        page.get_by_role("button", name="state p_supply", exact=True).click()
+        assert page.evaluate("document.activeElement.dataset.wish") == "parameter p_supply"
+        say(page, "parameter p_supply", "207 kPa")
+        page.get_by_role("button", name="Make the data set").click()
+        page.locator("#ladder .fit:not(:empty)").first.wait_for()
+        page.close()
+    assert study.read(folder).parameters["p_supply"] == pytest.approx(207e3)
 
 
 def german(heading: str) -> str:

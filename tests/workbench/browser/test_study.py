@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 
 from tests.workbench.browser.conftest import serving
@@ -25,7 +27,7 @@ def test_every_value_and_signal_is_changed_and_taken_back(opened: Open, muscle: 
         field.fill("25 cm")
         field.press("Enter")
         until(page, lambda: error(page, "x") != before)
-        assert page.locator("#status-text").inner_text() == "state muscle.L0 = 0.25"
+        assert page.locator("#status-text").inner_text() == "state muscle.L0 = 250 mm"
         page.get_by_label("Filter parameters").fill("sleeve at rest")
         assert page.locator("tr[data-name]:visible").count() == 1
         page.get_by_label("Filter parameters").fill("")
@@ -49,6 +51,62 @@ def test_every_value_and_signal_is_changed_and_taken_back(opened: Open, muscle: 
 
 
 @pytest.mark.full
+def test_what_is_typed_has_a_unit_or_is_refused_at_its_field(opened: Open, muscle: Path) -> None:
+    with serving(muscle) as address:
+        page = opened(address)
+        page.locator("#tab-study").click()
+        for label, nonsense, meant, shown in (
+            ("Value of muscle.L0", "1e999", "25 cm", "250"),
+            ("Beginning of run-01, s", "soon", "500 ms", "0.5"),
+            ("Noise of p", "5 apples", "20 mbar", "2"),
+        ):
+            field = page.get_by_label(label, exact=True)
+            for text, refused in ((nonsense, "true"), (meant, "false")):
+                steps = page.locator(".steps li code").count()
+                field.fill(text)
+                field.press("Enter")
+                until(page, lambda: page.locator("#alert").is_visible() is (refused == "true"))  # noqa: B023
+                if refused == "true":
+                    assert field.input_value() == text
+                    assert field.get_attribute("aria-invalid") == "true"
+                    assert page.locator(".steps li code").count() == steps
+                else:
+                    until(page, lambda: field.input_value() == shown)  # noqa: B023
+        page.close()
+
+
+@pytest.mark.full
+def test_zoomed_in_every_sample_of_a_long_recording_is_drawn(
+    opened: Open, muscle: Path, tmp_path: Path
+) -> None:
+    """A recording of 20 000 samples, of which the page is sent 4000 points."""
+    folder = shutil.copytree(muscle, tmp_path / "long")
+    head, *rows = (folder / "run-01.csv").read_text().splitlines()
+    table = np.array([[float(cell) for cell in row.split(",")] for row in rows])
+    times = 2e-4 * np.arange(20_000)
+    columns = [np.interp(times, table[:, 0], column) for column in table.T]
+    np.savetxt(folder / "run-01.csv", np.transpose(columns), "%.9g", ",", header=head, comments="")
+    with serving(folder) as address:
+        page = opened(address)
+        page.locator(".run button").first.click()
+        page.locator(".stack").focus()
+        for _ in range(14):
+            page.keyboard.press("+")
+        shown = tmp_path / "shown.csv"
+
+        def is_raw() -> bool:
+            with page.expect_download() as downloading:
+                page.locator("#download").select_option("csv")
+            downloading.value.save_as(shown)
+            drawn = [row.split(",") for row in shown.read_text().splitlines()]
+            steps = np.diff([float(row[3]) for row in drawn if row[:2] == ["run-01", "x"]])
+            return len(steps) > 50 and bool(np.allclose(steps, 2e-4, atol=1e-6))
+
+        until(page, is_raw)
+        page.close()
+
+
+@pytest.mark.full
 @pytest.mark.parametrize("kind", ["png", "svg", "csv"])
 def test_what_is_shown_is_downloaded(opened: Open, muscle: Path, tmp_path: Path, kind: str) -> None:
     with serving(muscle) as address:
@@ -65,6 +123,7 @@ def test_what_is_shown_is_downloaded(opened: Open, muscle: Path, tmp_path: Path,
         assert {row.split(",")[0] for row in rows} == {"run-01", "run-02"}
     elif kind == "svg":
         root = ElementTree.parse(file).getroot()
-        assert len(root.findall(".//{*}path")) > 6 and "p, " in "".join(root.itertext())
+        words = "".join(root.itertext())
+        assert len(root.findall(".//{*}path")) > 6 and "p, " in words and "measured" in words
     else:
         assert file.read_bytes().startswith(b"\x89PNG")
