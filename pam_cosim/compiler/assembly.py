@@ -67,7 +67,7 @@ class Assembly:
         delayed = self._delayed()
         outputs = [leaf for leaf in symbols.unknowns if self._is_output(leaf)]
         local = self._locals(outputs)
-        derivatives, values, others = _shared(
+        derivatives, values, local_values = _shared(
             delayed.put_in([self._derivative(name) for name in self.states]),
             delayed.put_in([self._value(leaf.name) for leaf in outputs]),
             delayed.put_in([value for _, value in local]),
@@ -81,14 +81,16 @@ class Assembly:
             p=self.p,
             derivatives=derivatives,
             outputs=values,
-            locals=others,
+            locals=local_values,
             initial=_column(initial.states),
             description=root.ancestors[0].definition.description,
             d=_column(delayed.delayed),
             delays=tuple(delayed.delays),
             parts=parts_of(root),
             libraries=metadata.libraries(root),
-            statements=tuple(self._statement(one, delayed) for one in symbols.assertions),
+            statements=tuple(
+                self._statement(assertion, delayed) for assertion in symbols.assertions
+            ),
             resting=initial.resting,
             following=tuple(initial.following.items()),
         )
@@ -105,7 +107,9 @@ class Assembly:
     def _system(self) -> EquationSystem:
         symbols = self.flat.symbols
         check_unknowns(len(symbols.unknowns))
-        check_operations(ca.n_nodes(_column([one.expression for one in self.flat.residuals])))
+        check_operations(
+            ca.n_nodes(_column([residual.expression for residual in self.flat.residuals]))
+        )
         variables = {leaf.name: symbol for leaf, symbol in symbols.unknowns.items()}
         derivative_of = {}
         for name, symbol in symbols.derivatives.items():
@@ -167,7 +171,7 @@ class Assembly:
                 separator = ", "
 
     def _known(self, expression: ca.SX) -> ca.SX:
-        return self.beginning.known(put(expression, self.system.variables, self.solved))
+        return self.beginning.substituted(put(expression, self.system.variables, self.solved))
 
     # ---- results ------------------------------------------------------------------------------------------
 
@@ -193,7 +197,7 @@ class Assembly:
                 if leaf not in taken and leaf.name not in self.states:
                     computable.append((leaf, self._value(leaf.name)))
             elif leaf not in symbols.free and _is_real_parameter(leaf):
-                value = self.beginning.known(ca.SX(symbols.value(leaf)))
+                value = self.beginning.substituted(ca.SX(symbols.value(leaf)))
                 if not _names(value) & self.beginning.start_times:
                     computable.append((leaf, value))
         return computable
@@ -225,14 +229,14 @@ class Assembly:
         for name, expression in zip(self.states, initial, strict=True):
             value = float(ca.evalf(ca.substitute(expression, symbols, numbers)))
             leaf = self._leaf(name)
-            known = Variable(name, start=value) if leaf is None else self._variable(leaf, value)
-            variables.append(known)
+            variable = Variable(name, start=value) if leaf is None else self._variable(leaf, value)
+            variables.append(variable)
         return tuple(variables)
 
     def _check_start(self, states: Sequence[Variable], loops: Sequence[Loop]) -> None:
         """Refuses linear loops that are singular where the model begins."""
         inputs = [self._variable(leaf) for leaf in self.flat.symbols.inputs]
-        values = {one.name: one.start or 0.0 for one in (*states, *inputs)}
+        values = {variable.name: variable.start or 0.0 for variable in (*states, *inputs)}
         values |= {leaf.name: float(v) for leaf, v in self.flat.symbols.defaults.items()}
         values[self.flat.symbols.t.name()] = 0.0
         for loop in loops:
@@ -273,13 +277,18 @@ class Assembly:
 
     def _delayed(self) -> DelayedInputs:
         """Everything is in terms of what is known when a run begins from here on."""
-        symbols, known = self.flat.symbols, self.beginning.known
+        symbols, substituted = self.flat.symbols, self.beginning.substituted
         if symbols.late:
-            self.solved = {name: known(value) for name, value in self.solved.items()}
+            self.solved = {name: substituted(value) for name, value in self.solved.items()}
             for value in self.solved.values():
                 self.beginning.refuse_start_times(value)
         calls = {
-            name: replace(c, argument=known(c.argument), start=known(c.start), time=known(c.time))
+            name: replace(
+                c,
+                argument=substituted(c.argument),
+                start=substituted(c.start),
+                time=substituted(c.time),
+            )
             for name, c in symbols.delays.items()
         }
         begun = {
@@ -324,8 +333,8 @@ def _column(values: Sequence[ca.SX | float]) -> ca.SX:
 
 def _shared(*groups: Sequence[ca.SX]) -> list[ca.SX]:
     """Columns in which equal parts of expressions are computed once."""
-    whole = ca.cse(_column([value for group in groups for value in group]))
+    column = ca.cse(_column([value for group in groups for value in group]))
     ends = [0]
     for group in groups:
         ends.append(ends[-1] + len(group))
-    return [whole[start:end] for start, end in pairwise(ends)]
+    return [column[start:end] for start, end in pairwise(ends)]

@@ -48,9 +48,9 @@ class Loop(NamedTuple):
         numbers = [
             self._numbers(dict(zip(symbols, point.tolist(), strict=True))) for point in points
         ]
-        found = [_null_vectors(one) for one in numbers]
-        if all(found):
-            self._refuse("", found[0])
+        vectors = [_null_vectors(matrix) for matrix in numbers]
+        if all(vectors):
+            self._refuse("", vectors[0])
 
     def check_at(self, values: Mapping[str, float]) -> None:
         """Refuses a matrix that is singular with these values of its symbols.
@@ -69,7 +69,7 @@ class Loop(NamedTuple):
     def _refuse(self, when: str, vectors: tuple[Array, Array] | None) -> None:
         if vectors is None:
             return
-        rows, columns = ([i for i, v in enumerate(one) if abs(v) > _PART] for one in vectors)
+        rows, columns = ([i for i, v in enumerate(vector) if abs(v) > _PART] for vector in vectors)
         raise ModelError(
             f"{when}no equation determines {', '.join(repr(self.names[j]) for j in columns)}: these depend on "
             f"one another, or contradict: {'; '.join(dict.fromkeys(self.places[i] for i in rows))}"
@@ -121,9 +121,9 @@ def solve(
     for rows, columns in blocks:
         names = [unknowns[j] for j in columns]
         present = [unknowns[j] for j in _columns_in(rows, held)]
-        known = [name for name in present if name in solved]
+        solved_names = [name for name in present if name in solved]
         equations = [residuals[i] for i in rows]
-        loop = _solve_block(equations, names, known, symbols, solved, nonlinear)
+        loop = _solve_block(equations, names, solved_names, symbols, solved, nonlinear)
         if loops is not None and loop is not None:
             loops.append(loop)
     return solved
@@ -168,21 +168,21 @@ def _needed(
 def _solve_block(
     equations: Sequence[Residual],
     names: Sequence[str],
-    known: Sequence[str],
+    solved_names: Sequence[str],
     symbols: Mapping[str, ca.SX],
     solved: dict[str, ca.SX],
     nonlinear: NonlinearLoops | None,
 ) -> Loop | None:
-    """Solve one block for its unknowns; what earlier blocks gave for the ``known`` ones in it is put in first.
+    """Solve one block for its unknowns; the values of ``solved_names`` from earlier blocks are substituted first.
 
     Returns:
         The block, if it is linear and has several equations.
     """
     if len(names) == 1 and (side := _other_side(equations[0].expression, names[0])) is not None:
-        solved[names[0]] = _put_in(side, known, symbols, solved)
+        solved[names[0]] = _put_in(side, solved_names, symbols, solved)
         return None
     system = _column([equation.expression for equation in equations])
-    system = _put_in(system, known, symbols, solved)
+    system = _put_in(system, solved_names, symbols, solved)
     variables = _column([symbols[name] for name in names])
     matrix = ca.jacobian(system, variables)
     if not matrix.is_constant() and ca.depends_on(matrix, variables):
@@ -223,17 +223,19 @@ def _other_side(residual: ca.SX, name: str) -> ca.SX | None:
 
 def _put_in(
     expression: ca.SX,
-    known: Sequence[str],
+    solved_names: Sequence[str],
     symbols: Mapping[str, ca.SX],
     solved: Mapping[str, ca.SX],
 ) -> ca.SX:
     """The expression with the values of the unknowns that are known."""
-    if not known:
+    if not solved_names:
         return expression
     if expression.is_scalar() and expression.is_symbolic():
         return solved.get(expression.name(), expression)
     return ca.substitute(
-        expression, _column([symbols[n] for n in known]), _column([solved[n] for n in known])
+        expression,
+        _column([symbols[n] for n in solved_names]),
+        _column([solved[n] for n in solved_names]),
     )
 
 
@@ -305,10 +307,10 @@ def _solve_core(
     if not rows:
         return {}
     core = ca.vertcat(*[ca.horzcat(*[a[i][j] for j in columns]) for i in rows])
-    rest = ca.vertcat(*[b[i] for i in rows])
+    right_side = ca.vertcat(*[b[i] for i in rows])
     small = len(rows) <= _LARGEST_BY_MINORS
     check_operations(len(rows) ** 3)
-    answer = ca.mtimes(ca.inv_minor(core), rest) if small else ca.solve(core, rest)
+    answer = ca.mtimes(ca.inv_minor(core), right_side) if small else ca.solve(core, right_side)
     return {j: answer[k] for k, j in enumerate(columns)}
 
 

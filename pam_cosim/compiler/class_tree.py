@@ -129,8 +129,10 @@ class ClassTree:
         """Components that a class inherits and redeclares, in ``extends`` or in its body."""
         node = self._definitions[name]
         arguments = [a for clause in node.extends for a in clause.modification.arguments]
-        every = [*(a.redeclaration for a in arguments), *node.redeclared]
-        new = [c for c in every if isinstance(c, ComponentDeclaration) and c.name in inherited]
+        redeclarations = [*(a.redeclaration for a in arguments), *node.redeclared]
+        new = [
+            c for c in redeclarations if isinstance(c, ComponentDeclaration) and c.name in inherited
+        ]
         return {c.name: self._in_place_of(inherited[c.name], self._component(node, c)) for c in new}
 
     @staticmethod
@@ -295,8 +297,8 @@ def _position(annotation: Modification) -> tuple[float, float] | None:
 
 def _own_annotation(annotation: Modification) -> dict[str, str | tuple[float, ...]]:
     """The text or the numbers of each entry of the annotation ``VENDOR``."""
-    own = annotation.argument(VENDOR)
-    entries = () if own is None else own.modification.arguments
+    vendor = annotation.argument(VENDOR)
+    entries = () if vendor is None else vendor.modification.arguments
     values = {entry.name: entry.modification.value for entry in entries}
     texts = {name: _literal(value) for name, value in values.items()}
     return {
@@ -343,8 +345,8 @@ def read_library(root: Path | None = None, files: Sequence[Path] = ()) -> ClassT
     """
     base, named = modelica_root() if root is None else root, tuple(Path(file) for file in files)
     try:
-        own = [part for file in named for part in files_of(file.absolute())]
-        return _tree(base, named, (*signature_of(base), *signature(own)))
+        user_files = [part for file in named for part in files_of(file.absolute())]
+        return _tree(base, named, (*signature_of(base), *signature(user_files)))
     except OSError:
         return _read(base, named)
 

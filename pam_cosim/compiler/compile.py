@@ -68,8 +68,8 @@ def found_class(model: str, *, files: Sequence[Path] = ()) -> tuple[ClassDefinit
 
 
 def _read(model: str, files: Sequence[Path], root: Path | None) -> tuple[Library, Lookup]:
-    own = [Path(model)] if is_modelica(model) and Path(model) not in files else []
-    library = Library(modelica_root() if root is None else root, [*files, *own])
+    model_file = [Path(model)] if is_modelica(model) and Path(model) not in files else []
+    library = Library(modelica_root() if root is None else root, [*files, *model_file])
     return library, Lookup(library)
 
 

@@ -96,10 +96,11 @@ class Connections:
                 self._join_members(a, b, scope, equation)
 
     def _join_members(self, a: Instance, b: Instance, scope: Scope, equation: Connect) -> None:
-        for one in (a, b):
-            if one.type is not None and "expandable" in one.type.definition.prefixes:
+        for connector in (a, b):
+            if connector.type is not None and "expandable" in connector.type.definition.prefixes:
                 raise scope.definition.source.error(
-                    f"'{one.name}' is an expandable connector, which is not supported", equation.at
+                    f"'{connector.name}' is an expandable connector, which is not supported",
+                    equation.at,
                 )
         names = list(a.children)
         if set(names) != set(b.children):

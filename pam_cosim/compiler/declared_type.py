@@ -53,16 +53,18 @@ def _follow(lookup: Lookup, of: Class, modification: Mod, depth: int) -> Declare
     place = of.outer or lookup.static_scope(definition)
     if base is None and alias.type.text not in PRIMITIVES:
         raise lookup.missing(alias.type, definition)
-    own = merge(merge(of.over, bind(alias.modification, place, alias.at)), of.under)
+    alias_modification = merge(merge(of.over, bind(alias.modification, place, alias.at)), of.under)
     if base is None:
-        followed = DeclaredType(alias.type.text, of, merge(modification, own))
+        followed = DeclaredType(alias.type.text, of, merge(modification, alias_modification))
     else:
         followed = _follow(lookup, base, NOTHING, depth + 1)
         if not followed.primitive:
             # a class with a body: populate() walks the aliases again, with their modifications
             followed = DeclaredType("", of, modification, followed.prefixes, followed.dimensions)
         else:
-            followed.modification = merge(merge(modification, own), followed.modification)
+            followed.modification = merge(
+                merge(modification, alias_modification), followed.modification
+            )
     followed.prefixes |= definition.alias_prefixes
     followed.dimensions = (
         tuple((size, place) for size in definition.alias_dimensions) + followed.dimensions

@@ -32,11 +32,11 @@ class Definitions:
         """What determines a variable, itself or by what it is connected to; None: nothing."""
         seen, waiting = {instance}, [instance]
         while waiting:
-            one = waiting.pop(0)
-            bound = self._bounds.get(one) or one.binding
+            current = waiting.pop(0)
+            bound = self._bounds.get(current) or current.binding
             if bound is not None:
                 return bound
-            fresh = [other for other in self._connected.get(one, ()) if other not in seen]
+            fresh = [other for other in self._connected.get(current, ()) if other not in seen]
             seen.update(fresh)
             waiting += fresh
         return None
@@ -85,11 +85,11 @@ class Definitions:
 
     def _located(self, reference: Reference, scope: Scope) -> object:
         try:
-            found = self._evaluator.locate(reference, scope)
+            target = self._evaluator.locate(reference, scope)
         except ModelError:
             return None
         expand = self._evaluator.instantiator.expand
-        return expand(found) if isinstance(found, Instance) else found
+        return expand(target) if isinstance(target, Instance) else target
 
     def _join(self, a: object, b: object) -> None:
         if isinstance(a, Instance) and a.elements is not None:
@@ -97,8 +97,8 @@ class Definitions:
         if isinstance(b, Instance) and b.elements is not None:
             b = b.elements
         if isinstance(a, list) and isinstance(b, list):
-            for one, other in zip(a, b, strict=False):
-                self._join(one, other)
+            for first, second in zip(a, b, strict=False):
+                self._join(first, second)
         elif isinstance(a, Instance) and isinstance(b, Instance):
             if a.primitive and b.primitive:
                 if _is_discrete(a) and _is_discrete(b):

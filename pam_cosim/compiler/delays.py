@@ -142,8 +142,8 @@ class DelayedInputs:
 
     def _channel(self, delay: Delay) -> ca.SX:
         """The symbol of an input delayed by a time: one for all calls that ask for the same."""
-        for symbol, known in zip(self.delayed, self.delays, strict=True):
-            if known.input == delay.input and same(known.time, delay.time):
+        for symbol, existing in zip(self.delayed, self.delays, strict=True):
+            if existing.input == delay.input and same(existing.time, delay.time):
                 return symbol
         self.delays.append(delay)
         what = "start" if delay.input is None else self.inputs[delay.input].name()

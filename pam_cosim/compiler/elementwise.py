@@ -60,7 +60,7 @@ def evaluate(
     Raises:
         ModelError: as ``elementwise``.
     """
-    return _bounded_value(_parsed(text), _Known(values, quantity))
+    return _bounded_value(_parsed(text), _Variables(values, quantity))
 
 
 def with_place(problem: ModelError) -> str:
@@ -71,7 +71,7 @@ def with_place(problem: ModelError) -> str:
 
 
 @dataclass(frozen=True)
-class _Known:
+class _Variables:
     values: Mapping[str, Any]
     quantity: Callable[[str], Any] | None
 
@@ -88,35 +88,35 @@ def _parsed(text: str) -> Expression:
 
 
 @bounded
-def _bounded_value(node: Expression, known: _Known) -> Any:
-    return _value(node, known)
+def _bounded_value(node: Expression, variables: _Variables) -> Any:
+    return _value(node, variables)
 
 
-def _value(node: Expression, known: _Known) -> Any:
+def _value(node: Expression, variables: _Variables) -> Any:
     match node:
         case Literal():
-            return _literal_value(node, known)
+            return _literal_value(node, variables)
         case Reference():
-            return _named_value(node.text, known)
+            return _named_value(node.text, variables)
         case Unary(operator=operator) if operator in _UNARY:
-            return _UNARY[operator](_value(node.operand, known))
+            return _UNARY[operator](_value(node.operand, variables))
         case Binary(operator=operator) if operator in _BINARY:
-            return _BINARY[operator](_value(node.left, known), _value(node.right, known))
+            return _BINARY[operator](_value(node.left, variables), _value(node.right, variables))
         case Call(arguments=[argument]) if node.function.text in _FUNCTIONS:
-            return _FUNCTIONS[node.function.text](_value(argument, known))
+            return _FUNCTIONS[node.function.text](_value(argument, variables))
     raise ModelError(_NOT_ARITHMETIC)
 
 
-def _literal_value(literal: Literal, known: _Known) -> Any:
+def _literal_value(literal: Literal, variables: _Variables) -> Any:
     if isinstance(literal.value, int | float):
         return float(literal.value)
-    if isinstance(literal.value, str) and known.quantity is not None:
-        return known.quantity(literal.value)
+    if isinstance(literal.value, str) and variables.quantity is not None:
+        return variables.quantity(literal.value)
     raise ModelError(_NOT_ARITHMETIC)
 
 
-def _named_value(name: str, known: _Known) -> Any:
-    if name not in known.values:
-        names = (other for other in known.values if not other.startswith("'"))
+def _named_value(name: str, variables: _Variables) -> Any:
+    if name not in variables.values:
+        names = (other for other in variables.values if not other.startswith("'"))
         raise ModelError(f"there is no '{name}'; {did_you_mean(name, names)}")
-    return known.values[name]
+    return variables.values[name]

@@ -307,7 +307,8 @@ class Evaluator:
             holder = holder if holder.elements is None else holder.elements
         if isinstance(holder, list):
             return [
-                self._member_of_each(one, name, subscripts, node, scope, names) for one in holder
+                self._member_of_each(element, name, subscripts, node, scope, names)
+                for element in holder
             ]
         member = member_of(self.instantiator, holder, name, node)
         return self._subscripted(member, subscripts, scope, names)
@@ -335,13 +336,15 @@ class Evaluator:
             items = items.elements
         if not isinstance(items, list):
             raise ModelError("there are more subscripts than dimensions")
-        first, rest = subscripts[0], subscripts[1:]
+        first, remaining = subscripts[0], subscripts[1:]
         if isinstance(first, Whole):
-            return [self._pick(item, rest, scope, names) for item in items]
+            return [self._pick(item, remaining, scope, names) for item in items]
         where = self.evaluate(first, scope, {**names, "end": len(items)})
         if isinstance(where, list):
-            return [self._pick(self._item(items, index), rest, scope, names) for index in where]
-        return self._pick(self._item(items, where), rest, scope, names)
+            return [
+                self._pick(self._item(items, index), remaining, scope, names) for index in where
+            ]
+        return self._pick(self._item(items, where), remaining, scope, names)
 
     def _item(self, items: list[Value], index: Value) -> Value:
         if isinstance(index, EnumerationLiteral):

@@ -140,9 +140,9 @@ class ExpressionParser:
     def expression(self) -> Expression:
         """Any expression."""
         self.deeper()
-        whole = self._expression()
+        expression = self._expression()
         self.depth -= 1
-        return whole
+        return expression
 
     def deeper(self, levels: int = 1) -> None:
         """Counts levels in the text; whoever calls takes them back at their end. After an error nothing is parsed."""

@@ -84,9 +84,9 @@ def _arguments(
         child.local_name: evaluator.evaluate(argument, scope, names)
         for child, argument in zip(inputs, node.arguments, strict=False)
     }
-    known = [child.local_name for child in inputs]
+    input_names = [child.local_name for child in inputs]
     for argument_name, argument in node.named:
-        if argument_name not in known:
+        if argument_name not in input_names:
             raise ModelError(f"function {name} has no input '{argument_name}'")
         if argument_name in given:
             raise ModelError(f"input '{argument_name}' of function {name} is given twice")
@@ -110,10 +110,10 @@ def _with_defaults(
         if key in given:
             local[key] = given[key]
         elif value is not None:
-            own = (
+            is_default = (
                 value.scope.instance is function
             )  # else it is written where the function is modified
-            local[key] = evaluator.bound(value, local if own else NO_NAMES)
+            local[key] = evaluator.bound(value, local if is_default else NO_NAMES)
         elif child in inputs:
             raise ModelError(f"function {name} needs its input '{key}'")
         else:

@@ -94,23 +94,23 @@ def initial_values(problem: InitialProblem) -> InitialValues:
         ModelError: initial equations that contradict each other or cannot be solved.
     """
     fixed, free = _start_equations(problem)
-    still, others = _equations_of_rest(problem)
-    said = [*fixed, *others]
-    rest = _rest(problem, said, still)
+    still, other_equations = _equations_of_rest(problem)
+    imposed = [*fixed, *other_equations]
+    equilibrium = _rest(problem, imposed, still)
     time, following = problem.system.time, dict[str, ca.SX]()
     try:
-        equations = [*said, *rest.others, *rest.equations]
-        loops = None if rest.states else problem.loops  # the runtime seeks states at rest
+        equations = [*imposed, *equilibrium.other_equations, *equilibrium.equations]
+        loops = None if equilibrium.states else problem.loops  # the runtime seeks states at rest
         values = _solution(problem, equations, free, problem.unknown, loops)
     except ModelError:
-        if not rest.states:
+        if not equilibrium.states:
             raise
-        values, following = _sought(problem, said, rest, free)
+        values, following = _sought(problem, imposed, equilibrium, free)
     _refuse_inputs(problem, values)
     return InitialValues(
         [ca.substitute(values[name], time, ca.SX(0)) for name in problem.states],
         {name: values[name] for name in problem.late},
-        tuple(name for name in problem.states if name in rest.states),
+        tuple(name for name in problem.states if name in equilibrium.states),
         {name: ca.substitute(value, time, ca.SX(0)) for name, value in following.items()},
     )
 
@@ -131,24 +131,24 @@ def _equations_of_rest(
 ) -> tuple[list[tuple[str, Residual]], list[Residual]]:
     """The initial equations ``der(x) = 0``, with the variable that is at rest, and the other ones."""
     still: list[tuple[str, Residual]] = []
-    others: list[Residual] = []
+    other_equations: list[Residual] = []
     for equation in problem.equations:
         name = variable_at_rest(equation, problem.system.derivative_of)
         if name is None:
-            others.append(equation)
+            other_equations.append(equation)
         else:
             still.append((name, equation))
-    return still, others
+    return still, other_equations
 
 
 def _rest(
-    problem: InitialProblem, said: Sequence[Residual], still: Sequence[tuple[str, Residual]]
+    problem: InitialProblem, imposed: Sequence[Residual], still: Sequence[tuple[str, Residual]]
 ) -> AtRest:
     """Which states the equations ``der(x) = 0`` put at rest, beside what is said otherwise."""
     if not still:
         return AtRest()
     chosen = _Chosen(problem.system.residuals, problem.unknown)
-    for equation in said:
+    for equation in imposed:
         chosen.add(equation)
     starts = [(name, equation, problem.start(name)) for name, equation in still]
     return at_rest(
@@ -163,26 +163,35 @@ def _rest(
 
 
 def _sought(
-    problem: InitialProblem, said: Sequence[Residual], rest: AtRest, free: Sequence[Residual]
+    problem: InitialProblem,
+    imposed: Sequence[Residual],
+    equilibrium: AtRest,
+    free: Sequence[Residual],
 ) -> tuple[dict[str, ca.SX], dict[str, ca.SX]]:
     """The values from which the states at rest are sought, those of the others, and what follows the states at rest.
 
     A state without a start value follows from the start values of other variables, a mass from a temperature.
     """
-    others = {name: symbol for name, symbol in problem.unknown.items() if name not in rest.states}
-    values = _solution(problem, [*said, *rest.others], free, others)
-    following = {name: value for name, value in values.items() if leans_on(value, rest.states)}
+    moving = {
+        name: symbol for name, symbol in problem.unknown.items() if name not in equilibrium.states
+    }
+    values = _solution(problem, [*imposed, *equilibrium.other_equations], free, moving)
+    following = {
+        name: value for name, value in values.items() if leans_on(value, equilibrium.states)
+    }
     refuse_parameters(following, problem.late)
-    own = [
+    stated_guesses = [
         guess
-        for name, guess in zip(rest.states, rest.guesses, strict=True)
+        for name, guess in zip(equilibrium.states, equilibrium.guesses, strict=True)
         if problem.start(name).given
     ]
-    further = [] if len(own) == len(rest.states) else problem.started
-    others_start = [_start_equation(problem.system, name, problem.start(name)) for name in further]
-    guesses = [*own, *others_start, *rest.guesses, *free]
-    guessed = _solution(problem, [*said, *rest.others], guesses, problem.unknown)
-    return values | {name: guessed[name] for name in (*rest.states, *following)}, following
+    other_variables = [] if len(stated_guesses) == len(equilibrium.states) else problem.started
+    other_guesses = [
+        _start_equation(problem.system, name, problem.start(name)) for name in other_variables
+    ]
+    guesses = [*stated_guesses, *other_guesses, *equilibrium.guesses, *free]
+    guessed = _solution(problem, [*imposed, *equilibrium.other_equations], guesses, problem.unknown)
+    return values | {name: guessed[name] for name in (*equilibrium.states, *following)}, following
 
 
 class _Chosen:
@@ -209,25 +218,25 @@ class _Chosen:
 
 def _solution(
     problem: InitialProblem,
-    said: Sequence[Residual],
+    imposed: Sequence[Residual],
     free: Sequence[Residual],
     unknown: Mapping[str, ca.SX],
     loops: NonlinearLoops | None = None,
 ) -> dict[str, ca.SX]:
     """The states and parameters among the unknowns, from what is said and, where that is not enough, what is free."""
     chosen = _Chosen(problem.system.residuals, unknown)
-    superfluous = [equation for equation in said if not chosen.add(equation)]
+    superfluous = [equation for equation in imposed if not chosen.add(equation)]
     for equation in free:
         chosen.add(equation)
-    asked = [name for name in (*problem.states, *problem.late) if name in unknown]
-    wanted = dict.fromkeys([*asked, *(name for r in superfluous for name in _names(r, unknown))])
+    required = [name for name in (*problem.states, *problem.late) if name in unknown]
+    wanted = dict.fromkeys([*required, *(name for r in superfluous for name in _names(r, unknown))])
     try:
         equations = [_at_start(r, problem.system, problem.late) for r in chosen.equations]
         solved = solve(equations, list(unknown), unknown, wanted, None, loops)
     except ModelError as error:
         raise ModelError(f"initial values: {error.message}") from None
     _check_superfluous(superfluous, solved, unknown, problem.defaults)
-    return {name: solved[name] for name in asked}
+    return {name: solved[name] for name in required}
 
 
 def _refuse_inputs(problem: InitialProblem, values: Mapping[str, ca.SX]) -> None:
@@ -267,8 +276,8 @@ def _check_superfluous(
         names = _names(equation, unknown)
         old = ca.vertcat(ca.SX(0, 1), *[unknown[n] for n in names])
         new = ca.vertcat(ca.SX(0, 1), *[solved[n] for n in names])
-        rest = ca.substitute(ca.substitute(equation.expression, old, new), *defaults)
-        value = float(ca.evalf(rest)) if not ca.symvar(rest) else float("nan")
+        residual = ca.substitute(ca.substitute(equation.expression, old, new), *defaults)
+        value = float(ca.evalf(residual)) if not ca.symvar(residual) else float("nan")
         if not np.isfinite(value) or abs(value) > _CONSISTENT:
             raise ModelError(
                 f"the initial values are overdetermined: {equation.place} contradicts the others"

@@ -124,11 +124,13 @@ class Instantiator:
         if len(bases) < len(definition.extends):
             self._report_missing_base(of)
         for extends, base in zip(definition.extends, bases, strict=True):
-            own = bind(extends.modification, scope, extends.at)
-            inner = self.populate(instance, base, merge(modification, merge(body, own)), depth + 1)
+            clause_modification = bind(extends.modification, scope, extends.at)
+            inner = self.populate(
+                instance, base, merge(modification, merge(body, clause_modification)), depth + 1
+            )
             scope.components |= inner.components
             scope.classes |= inner.classes
-            self._check_names(own, instance, base.definition.name)
+            self._check_names(clause_modification, instance, base.definition.name)
         self._check_names(body, instance, definition.name)
         for declaration in definition.components.values():
             scope.components.add(declaration.name)
@@ -151,9 +153,11 @@ class Instantiator:
         holder = of.outer.definition if of.outer is not None else definition
         base = self.lookup.require(of.outer, definition.alias.type, holder)
         place = of.outer or self.lookup.static_scope(definition)
-        own = bind(definition.alias.modification, place, definition.alias.at)
-        scope = self.populate(instance, base, merge(modification, merge(own, of.under)), depth + 1)
-        self._check_names(own, instance, base.definition.name)
+        alias_modification = bind(definition.alias.modification, place, definition.alias.at)
+        scope = self.populate(
+            instance, base, merge(modification, merge(alias_modification, of.under)), depth + 1
+        )
+        self._check_names(alias_modification, instance, base.definition.name)
         return scope
 
     def _register_classes(self, instance: Instance, scope: Scope, modification: Mod) -> None:
@@ -203,7 +207,7 @@ class Instantiator:
         self, parent: Instance, declaration: ComponentDeclaration, scope: Scope, outer: Mod
     ) -> Instance:
         entry = outer.entries.get(declaration.name)
-        own = bind(declaration.modification, scope, declaration.at)
+        declared_modification = bind(declaration.modification, scope, declaration.at)
         constraint = None
         if declaration.constraint is not None:
             constraint = bind(declaration.constraint.modification, scope)
@@ -212,9 +216,9 @@ class Instantiator:
             new, place = entry.redeclaration.declaration, entry.redeclaration.scope
             check_component_redeclaration(self.lookup, declaration, new, scope, place)
             assert isinstance(new, ComponentDeclaration)
-            inherited = constraint if constraint is not None else own
+            inherited = constraint if constraint is not None else declared_modification
             entry = merge(replace(entry, redeclaration=None), bind(new.modification, place, new.at))
-            own, scope = inherited, place
+            declared_modification, scope = inherited, place
             declaration = replace(
                 new,
                 prefixes=(original.prefixes - {"replaceable"}) | new.prefixes,
@@ -222,10 +226,10 @@ class Instantiator:
                 condition=original.condition,
                 description=new.description or original.description,
             )
-            modification = merge(entry, own)
+            modification = merge(entry, declared_modification)
         else:
-            own.final = "final" in declaration.prefixes
-            modification = merge(merge(entry, own), constraint)
+            declared_modification.final = "final" in declaration.prefixes
+            modification = merge(merge(entry, declared_modification), constraint)
         prefixes = declaration.prefixes | (parent.prefixes & _INHERITED_PREFIXES)
         if modification.final and modification.value is not None:
             prefixes |= {"final"}

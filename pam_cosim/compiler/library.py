@@ -74,10 +74,10 @@ class Library:
             if (node.parent is None or node.parent.kind == "package") and kind in ("", node.kind):
                 by_name.setdefault(node.name.lower(), []).append(node.qualified_name)
         last = names.last(name).lower()
-        near = by_name.get(last) or [
+        suggestions = by_name.get(last) or [
             n for close in closest(last, by_name, 2) for n in by_name[close]
         ]
-        return f"; did you mean {' or '.join(near)}?" if near else ""
+        return f"; did you mean {' or '.join(suggestions)}?" if suggestions else ""
 
     def _read_user_package(self, folder: Path) -> list[ClassDefinition]:
         package = _package(folder, signature_of(folder))
@@ -93,12 +93,12 @@ class Library:
 
     def _read_used(self, place: Path, name: str) -> None:
         """A library that another one uses, where it lies beside that one."""
-        for found in (place / name, *sorted(place.glob(f"{name} *")), place / f"{name}.mo"):
-            if not self._is_taken(name) and (found.suffix == ".mo" or (found / PACKAGE).is_file()):
-                if found.is_file():
-                    self._read_user_file(found)
-                elif found.is_dir():
-                    self._read_user_package(found)
+        for path in (place / name, *sorted(place.glob(f"{name} *")), place / f"{name}.mo"):
+            if not self._is_taken(name) and (path.suffix == ".mo" or (path / PACKAGE).is_file()):
+                if path.is_file():
+                    self._read_user_file(path)
+                elif path.is_dir():
+                    self._read_user_package(path)
 
     def _is_taken(self, name: str) -> bool:
         return name in self.top or name in names.PREDEFINED
@@ -114,8 +114,8 @@ class Library:
                     )
                 node.parent = parent
                 place = node.qualified_name
-                known = self.inserted.get(place, parent.classes.get(node.name))
-                if known is not None and not _is_copy(node, known):
+                existing = self.inserted.get(place, parent.classes.get(node.name))
+                if existing is not None and not _is_copy(node, existing):
                     raise _exists(node, place)
                 self.inserted[place] = node
             elif node.name in self.top and _is_copy(node, self.top[node.name]):
@@ -131,13 +131,13 @@ def _exists(node: ClassDefinition, name: str) -> ModelError:
     return node.source.error(f"a class '{name}' exists already: choose another name", node.at)
 
 
-def _is_copy(node: ClassDefinition, known: ClassDefinition) -> bool:
+def _is_copy(node: ClassDefinition, existing: ClassDefinition) -> bool:
     """Whether a file with one of two classes of a name stands whole in that of the other: they are one class.
 
     A model that is written with what it extends can so be used together with the file of that.
     """
-    one, other = node.source.text.strip(), known.source.text.strip()
-    return one in other or other in one
+    text, existing_text = node.source.text.strip(), existing.source.text.strip()
+    return text in existing_text or existing_text in text
 
 
 def source_bytes(file: Path) -> bytes:

@@ -115,9 +115,9 @@ class Lookup:
         ):
             return Class(inserted, scope)
         if scope.instance is None:
-            own = self._class_of_package(Class(definition, scope.outer), name)
-            if own is not None:
-                return own
+            package_class = self._class_of_package(Class(definition, scope.outer), name)
+            if package_class is not None:
+                return package_class
             for base in self.bases(Class(definition, scope.outer)):
                 inherited = self.member(self.inside(base), name)
                 if inherited is not None:
@@ -126,8 +126,8 @@ class Lookup:
 
     def class_in(self, of: Class, name: str) -> Class | None:
         """A class that is declared in, inherited or imported by a class, with what modifies that one."""
-        own = self._class_of_package(of, name) if of.over is not None else None
-        return own or self.member(self.inside(of), name)
+        package_class = self._class_of_package(of, name) if of.over is not None else None
+        return package_class or self.member(self.inside(of), name)
 
     def _class_of_package(self, of: Class, name: str) -> Class | None:
         """A class as the package has it, in which constants may have other values than where it is inherited from."""
@@ -164,10 +164,10 @@ class Lookup:
         if clause.inherited:
             return self._inherited(of, clause.type.names[0])
         names, absolute = clause.type.names, clause.type.absolute
-        own = of.definition.classes.get(names[0]) if not absolute else None
+        local_class = of.definition.classes.get(names[0]) if not absolute else None
         here = (
-            Class(own, self.inside(of))
-            if own is not None
+            Class(local_class, self.inside(of))
+            if local_class is not None
             else self._imported(of.definition, names[0])
         )
         return self._descend(here or self.first(of.outer, names[0], absolute), names[1:])
@@ -177,9 +177,9 @@ class Lookup:
         if of.outer is None:
             return None
         for base in self.bases(Class(of.outer.definition, of.outer.outer)):
-            found = self.member(self.inside(base), name)
-            if found is not None:
-                return found
+            inherited = self.member(self.inside(base), name)
+            if inherited is not None:
+                return inherited
         return None
 
     def inside(self, of: Class) -> Scope:

@@ -33,14 +33,14 @@ def bind(modification: Modification, scope: Scope, at: int = 0) -> Mod:
     return Mod(at, source, value, entries)
 
 
-def _collide(one: Mod, other: Mod) -> bool:
-    if one.value is not None and other.value is not None:
+def _collide(first: Mod, second: Mod) -> bool:
+    if first.value is not None and second.value is not None:
         return True
-    shared = one.entries.keys() & other.entries.keys()
+    shared = first.entries.keys() & second.entries.keys()
     return (
-        one.redeclaration is not None
-        and other.redeclaration is not None
-        or any(_collide(one.entries[name], other.entries[name]) for name in sorted(shared))
+        first.redeclaration is not None
+        and second.redeclaration is not None
+        or any(_collide(first.entries[name], second.entries[name]) for name in sorted(shared))
     )
 
 

@@ -31,7 +31,7 @@ class NonlinearLoops:
         self, system: ca.SX, variables: ca.SX, names: Sequence[str]
     ) -> dict[str, ca.SX] | None:
         """The variables as expressions of what else is in the system; None: too many must be iterated."""
-        torn, assigned, rest = _tear(system, variables, names)
+        torn, assigned, implicit = _tear(system, variables, names)
         if len(torn) > _LARGEST:
             return None
         symbols = {name: variables[i] for i, name in enumerate(names)}
@@ -39,29 +39,29 @@ class NonlinearLoops:
         values: dict[str, ca.SX] = {}
         for name, expression in assigned:
             values[name] = _put(expression, values, symbols)
-        residual = _put(ca.vertcat(*rest), values, symbols)
-        others = ca.vertcat(
+        residual = _put(ca.vertcat(*implicit), values, symbols)
+        external = ca.vertcat(
             ca.SX(0, 1),
             *[s for s in ca.symvar(ca.vertcat(residual, *values.values())) if s.name() not in torn],
         )
-        at = ca.Function("residual", [unknown, others], [residual])
-        step = ca.Function("step", [unknown, others], [-_solved(residual, unknown)])
+        at = ca.Function("residual", [unknown, external], [residual])
+        step = ca.Function("step", [unknown, external], [-_solved(residual, unknown)])
         point = ca.vertcat(*[self.start(name) for name in torn])
         for _ in range(_ITERATIONS):
-            whole, before = step(point, others), ca.sumsqr(at(point, others))
-            chosen = point + _SHARES[-1] * whole
+            full_step, before = step(point, external), ca.sumsqr(at(point, external))
+            chosen = point + _SHARES[-1] * full_step
             for share in (*reversed(_SHARES[:-1]), 1.0):
-                trial = point + share * whole
-                is_better = ca.sumsqr(at(trial, others)) <= before
+                trial = point + share * full_step
+                is_better = ca.sumsqr(at(trial, external)) <= before
                 chosen = _either(is_better, trial, chosen)
             point = chosen
-        last = step(point, others)
-        found = point + last
-        size = ca.fmax(ca.fabs(found), 1e-3)
+        last = step(point, external)
+        solution = point + last
+        size = ca.fmax(ca.fabs(solution), 1e-3)
         self.conditions.append((ca.mmax(ca.fabs(last) / size) <= _CONVERGED, tuple(torn)))
-        exact = {name: found[i] for i, name in enumerate(torn)}
-        inner = ca.Function("inner", [unknown, others], list(values.values()) or [ca.SX(0)])
-        results = inner.call([found, others])
+        exact = {name: solution[i] for i, name in enumerate(torn)}
+        inner = ca.Function("inner", [unknown, external], list(values.values()) or [ca.SX(0)])
+        results = inner.call([solution, external])
         return exact | dict(zip(values, results, strict=False))
 
 
@@ -76,11 +76,11 @@ def _tear(
     assigned: list[tuple[str, ca.SX]] = []
     while waiting:
         for i, equation in open_equations.items():
-            left = [name for name in waiting if name in held[i]]
-            side = _explicit(equation, symbols[left[0]]) if len(left) == 1 else None
+            unsolved = [name for name in waiting if name in held[i]]
+            side = _explicit(equation, symbols[unsolved[0]]) if len(unsolved) == 1 else None
             if side is not None:
-                assigned.append((left[0], side))
-                waiting.remove(left[0])
+                assigned.append((unsolved[0], side))
+                waiting.remove(unsolved[0])
                 del open_equations[i]
                 break
         else:
@@ -117,5 +117,5 @@ def _solved(residual: ca.SX, unknown: ca.SX) -> ca.SX:
     return ca.mtimes(ca.inv_minor(matrix), residual)
 
 
-def _either(condition: ca.SX, one: ca.SX, other: ca.SX) -> ca.SX:
-    return ca.vertcat(*[ca.if_else(condition, one[i], other[i]) for i in range(one.numel())])
+def _either(condition: ca.SX, first: ca.SX, second: ca.SX) -> ca.SX:
+    return ca.vertcat(*[ca.if_else(condition, first[i], second[i]) for i in range(first.numel())])

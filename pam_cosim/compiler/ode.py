@@ -97,8 +97,8 @@ class Ode:
     def start_rates(self) -> ca.SX:
         """What vanishes at the start, of the states that rest and of those that follow them; else the derivatives."""
         follows, rates = dict(self.following), ca.vertsplit(ca.SX(self.derivatives[: self.core]))
-        own = [
+        conditions = [
             follows[s.name] - self.x[i] if s.name in follows else rates[i]
             for i, s in enumerate(self.states[: self.core])
         ]
-        return ca.vertcat(ca.SX(0, 1), *own)
+        return ca.vertcat(ca.SX(0, 1), *conditions)

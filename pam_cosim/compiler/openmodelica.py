@@ -40,8 +40,8 @@ def flat_model(model: str, files: Sequence[Path] = ()) -> Path:
         )
     of, library = found_class(model, files=files)
     name, loaded = of.qualified_name, [node.source for node in library.top.values()]
-    own = [node.source for node in library.inserted.values()]
-    sources = dict.fromkeys(str(source.file) for source in (*reversed(loaded), *own))
+    inserted = [node.source for node in library.inserted.values()]
+    sources = dict.fromkeys(str(source.file) for source in (*reversed(loaded), *inserted))
     script = "".join(f"loadFile({_text(path)}, uses=false); " for path in sources)
     script += f'writeFile("flat.mo", instantiateModel({name})); getErrorString();'
     key = digest(program, script, flat_hash(model, files=files))
@@ -69,9 +69,9 @@ def _flat(program: str, script: str, name: str) -> bytes:
         return content
 
 
-def _refusal(name: str, said: str) -> ModelError:
+def _refusal(name: str, output: str) -> ModelError:
     """The first of OpenModelica's errors, at its place."""
-    error = _ERROR.search(said)
+    error = _ERROR.search(output)
     what = error["what"] if error else "it gives no reason"
     text = f"OpenModelica refuses {name}: {what}"
     if error is None or error["file"] is None:

@@ -58,17 +58,17 @@ class Parser(EquationParser):
             self.expect(";")
         classes: dict[str, ClassDefinition] = {}
         while self.kind != "end of file":
-            made = self.class_definition(None, self.class_prefixes())
-            if made.name in classes:
-                raise self.source.error(f"'{made.name}' is declared twice", made.at)
-            classes[made.name] = made
+            node = self.class_definition(None, self.class_prefixes())
+            if node.name in classes:
+                raise self.source.error(f"'{node.name}' is declared twice", node.at)
+            classes[node.name] = node
             self.expect(";")
-        found = list(classes.values())
-        if is_flat(self.source) and found:  # its package is no part of the names in it
-            found[:1] = found[0].classes.values()
-            for made in found:
-                made.parent = None
-        return within, found
+        definitions = list(classes.values())
+        if is_flat(self.source) and definitions:  # its package is no part of the names in it
+            definitions[:1] = definitions[0].classes.values()
+            for node in definitions:
+                node.parent = None
+        return within, definitions
 
     def class_prefixes(self) -> frozenset[str]:
         """Words before the kind of a class."""
@@ -299,8 +299,8 @@ class Parser(EquationParser):
         """One declared name with all that belongs to it."""
         at = self.offset
         name = self.expect("name")
-        own = self.subscripts()
-        node = ComponentDeclaration(name, at, type_name, prefixes, own + shared)
+        dimensions = self.subscripts()
+        node = ComponentDeclaration(name, at, type_name, prefixes, dimensions + shared)
         node.modification = self.modification()
         if self.accept("if"):
             node.condition = self.expression()

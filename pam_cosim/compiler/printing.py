@@ -133,8 +133,8 @@ def _binary(node: Binary) -> tuple[str, int]:
 
 
 def _within(node: Expression, level: int) -> str:
-    text, own = _text(node)
-    return text if own >= level else f"({text})"
+    text, node_level = _text(node)
+    return text if node_level >= level else f"({text})"
 
 
 def _literal(node: Literal) -> str:

@@ -34,13 +34,13 @@ class AtRest:
         states: names of the states that begin at rest.
         equations: of these states, as they are written.
         guesses: what stands in their place where the rest is still to be found: start values.
-        others: equations ``der(x) = 0`` that determine something else.
+        other_equations: equations ``der(x) = 0`` that determine something else.
     """
 
     states: list[str] = field(default_factory=list)
     equations: list[Residual] = field(default_factory=list)
     guesses: list[Residual] = field(default_factory=list)
-    others: list[Residual] = field(default_factory=list)
+    other_equations: list[Residual] = field(default_factory=list)
 
     def add(self, state: str, equation: Residual, guess: Residual) -> None:
         """One more state that begins at rest."""
@@ -50,7 +50,7 @@ class AtRest:
 
 
 def at_rest(
-    said: Sequence[tuple[str, Residual, Residual]],
+    conditions: Sequence[tuple[str, Residual, Residual]],
     states: Sequence[str],
     depends_on: Callable[[str], set[str]],
     is_open: Callable[[Residual], bool],
@@ -61,25 +61,27 @@ def at_rest(
     be, that one is too.
 
     Args:
-        said: for each equation the variable, the equation, and "the variable is its start value".
+        conditions: for each equation the variable, the equation, and "the variable is its start value".
         states: names of all states.
         depends_on: names of what a variable that is no state is made of.
-        is_open: whether that start would determine something that nothing else does; it then counts as said.
+        is_open: whether that start would determine something that nothing else does; it is then kept.
     """
     result = AtRest()
-    for name, equation, guess in (one for one in said if one[0] in states):
+    for name, equation, guess in (condition for condition in conditions if condition[0] in states):
         if is_open(guess):
             result.add(name, equation, guess)
         else:
-            result.others.append(equation)
-    for name, equation, guess in (one for one in said if one[0] not in states):
+            result.other_equations.append(equation)
+    for name, equation, guess in (
+        condition for condition in conditions if condition[0] not in states
+    ):
         moving = [
             state for state in states if state in depends_on(name) and state not in result.states
         ]
         if len(moving) == 1 and is_open(guess):
             result.add(moving[0], equation, guess)
         elif moving:
-            result.others.append(equation)
+            result.other_equations.append(equation)
     return result
 
 

@@ -67,18 +67,20 @@ def smooth_parameters(ode: Ode) -> tuple[str, ...]:
 
 def sensitivity_symbols(ode: Ode) -> ca.SX:
     """(s,) what ``ode.sensitivities`` are with respect to; a start value stands in no equation."""
-    known = {name: ode.p[i] for i, name in enumerate(ode.interface.parameters)}
-    chosen = [known[n] if n in known else ca.SX.sym(f"start of {n}") for n in ode.sensitivities]
+    parameters = {name: ode.p[i] for i, name in enumerate(ode.interface.parameters)}
+    chosen = [
+        parameters[n] if n in parameters else ca.SX.sym(f"start of {n}") for n in ode.sensitivities
+    ]
     return ca.vertcat(ca.SX(0, 1), *chosen)
 
 
 def _check(ode: Ode, names: tuple[str, ...]) -> None:
-    known, smooth = (
+    names_in_model, smooth = (
         [*ode.interface.parameters, *(state.name for state in ode.states)],
         smooth_parameters(ode),
     )
     for i, name in enumerate(names):
-        if name not in known:
+        if name not in names_in_model:
             raise InputError(
                 f"there is no parameter '{name}' to differentiate by", ode.interface.model
             )

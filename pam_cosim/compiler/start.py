@@ -49,8 +49,8 @@ def comparison(
     compared = [symbol for name, symbol in late.items() if name in names]
     if time.name() not in names or len(compared) != 1:
         return None
-    both = ca.vertcat(time, compared[0])
-    slopes = ca.jacobian(gap, both)
+    terms = ca.vertcat(time, compared[0])
+    slopes = ca.jacobian(gap, terms)
     if (
         not slopes.is_constant()
         or abs(float(slopes[0])) != 1.0
@@ -58,10 +58,10 @@ def comparison(
     ):
         return None
     sign = float(slopes[0])
-    rest = ca.substitute(gap, both, ca.SX.zeros(2))
-    symbol = ca.SX.sym(f"time > {compared[0].name()} + {-sign * rest}")
+    constant = ca.substitute(gap, terms, ca.SX.zeros(2))
+    symbol = ca.SX.sym(f"time > {compared[0].name()} + {-sign * constant}")
     holds = left > right if sign > 0 else ca.logic_not(left > right)
-    return TimeComparison(symbol, compared[0].name(), -sign * rest, holds), sign > 0
+    return TimeComparison(symbol, compared[0].name(), -sign * constant, holds), sign > 0
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ class InitialParameters:
     start_times: frozenset[str]
     symbols: Mapping[str, ca.SX]
 
-    def known(self, expression: ca.SX) -> ca.SX:
+    def substituted(self, expression: ca.SX) -> ca.SX:
         """The expression with the values in it."""
         return put(put(expression, self.symbols, self.values), self.symbols, self.values)
 

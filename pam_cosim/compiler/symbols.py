@@ -146,7 +146,7 @@ class SymbolTable(Evaluator):
     def assertion(self, condition: Value, message: Text, is_error: bool, at_start: bool) -> None:
         """Keeps it once, however often a function that makes it is called with the same arguments."""
         new = Assertion(ca.SX(condition), message, is_error, at_start)
-        if not any(_alike(new, known) for known in self.assertions):
+        if not any(_alike(new, assertion) for assertion in self.assertions):
             self.assertions.append(new)
 
     def derivative(self, value: Value) -> Value:
@@ -185,12 +185,12 @@ class SymbolTable(Evaluator):
 def _alike(a: Assertion, b: Assertion) -> bool:
     """Whether two assertions say the same in the same case."""
     texts = [
-        [part if isinstance(part, str) else part.digits for part in one.message.parts]
-        for one in (a, b)
+        [part if isinstance(part, str) else part.digits for part in assertion.message.parts]
+        for assertion in (a, b)
     ]
     numbers = [
-        [part.value for part in one.message.parts if isinstance(part, PrintedNumber)]
-        for one in (a, b)
+        [part.value for part in assertion.message.parts if isinstance(part, PrintedNumber)]
+        for assertion in (a, b)
     ]
     same_level = (a.is_error, a.at_start, texts[0]) == (b.is_error, b.at_start, texts[1])
     return same_level and same(a.condition, b.condition) and all(map(same, *numbers))
