@@ -15,15 +15,15 @@ def identity(ode: Ode) -> dict[str, str]:
     """Author, licence and version, as far as they are known: those of the library for its classes."""
     package = ode.interface.model.split(".")[0]
     version = dict(ode.libraries).get(package)
-    found = {"version": version} if version else {}
+    attributes = {"version": version} if version else {}
     if package not in {folder.name for folder in modelica_root().iterdir()}:
-        return found
+        return attributes
     try:
         of = metadata(TOOL)
     except PackageNotFoundError:
-        return found
+        return attributes
     author, licence = str(of["Author"]), str(of["License-Expression"])
-    return {"author": author, "license": licence, "copyright": f"(c) {author}", **found}
+    return {"author": author, "license": licence, "copyright": f"(c) {author}", **attributes}
 
 
 def date() -> str:

@@ -222,8 +222,8 @@ def _platform_names(platforms: Sequence[str]) -> list[str]:
         elif name == "native" or name in PLATFORMS:
             chosen[native_platform() if name == "native" else name] = None
         else:
-            known = ", ".join(["native", "all", *PLATFORMS])
-            raise InputError(f"there is no platform '{name}'; choose from {known}")
+            choices = ", ".join(["native", "all", *PLATFORMS])
+            raise InputError(f"there is no platform '{name}'; choose from {choices}")
     return sorted(chosen)
 
 
@@ -287,10 +287,15 @@ def _descriptions(
 ) -> dict[str, bytes]:
     entries, compiled = table(ode, fmi, lean=lean), () if lean else (_MODEL, *runtime(fmi))
     attributes = {} if lean else identity(ode) | dict(about or {})
-    made = model_description(ode, fmi, entries, guid, _tool(), attributes, compiled, lean=lean)
+    description = model_description(
+        ode, fmi, entries, guid, _tool(), attributes, compiled, lean=lean
+    )
     if fmi == "2.0":
-        return {_DESCRIPTION: made}
-    return {_DESCRIPTION: made, "sources/buildDescription.xml": build_description(ode, compiled)}
+        return {_DESCRIPTION: description}
+    return {
+        _DESCRIPTION: description,
+        "sources/buildDescription.xml": build_description(ode, compiled),
+    }
 
 
 def _sources(model: str, identifier: str, fmi: str) -> dict[str, bytes]:

@@ -80,9 +80,9 @@ def headers(fmi: str) -> list[Path]:
 
     They are those of the releases 2.0.1 and 3.0.1. FMPy changed one of its copies, which has a copy in the runtime.
     """
-    found = [*_fmi_headers().glob(f"fmi{fmi[0]}*.h"), *fmu_runtime().glob("pam_*.h")]
-    found += fmu_runtime().glob(f"fmi{fmi[0]}*.h")
-    return sorted({file.name: file for file in found}.values(), key=lambda file: file.name)
+    files = [*_fmi_headers().glob(f"fmi{fmi[0]}*.h"), *fmu_runtime().glob("pam_*.h")]
+    files += fmu_runtime().glob(f"fmi{fmi[0]}*.h")
+    return sorted({file.name: file for file in files}.values(), key=lambda file: file.name)
 
 
 @cache
@@ -181,19 +181,19 @@ def _arguments(target: Platform, output: str, sources: Sequence[str]) -> list[st
     common = ["-target", target.target, f"-I{fmu_runtime()}", f"-I{_fmi_headers()}"]
     if target.target.split("-")[1] == "linux":
         names = ["--name", Path(output).stem, f"-fsoname={output}", f"-femit-bin={output}"]
-        own = [*names, "-cflags", *_FLAGS, "--"]
-        return [*_OWN_ARITHMETIC, *common, *own, *sources]
+        options = [*names, "-cflags", *_FLAGS, "--"]
+        return [*_OWN_ARITHMETIC, *common, *options, *sources]
     pic = [] if target.suffix == ".dll" else ["-fPIC", "-lm"]
     return ["cc", "-shared", "-s", *_FLAGS, *pic, *common, "-o", output, *sources]
 
 
 def _clear_stale(folder: Path) -> None:
     """Removes what compilers that were ended have left; those at work are younger."""
-    for left in folder.glob("*"):
+    for path in folder.glob("*"):
         with suppress(OSError):
-            if time.time() - left.stat().st_mtime > _STALE:
-                shutil.rmtree(left, ignore_errors=True)
-                left.unlink(missing_ok=True)
+            if time.time() - path.stat().st_mtime > _STALE:
+                shutil.rmtree(path, ignore_errors=True)
+                path.unlink(missing_ok=True)
 
 
 _FAT_MAGIC = 0xCAFEBABE

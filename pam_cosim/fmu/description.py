@@ -179,8 +179,8 @@ def model_structure(
     rates = {e.derivative_of: i for i, e in numbered.items() if e.derivative_of is not None}
     derivatives = [rates[state] for state in range(len(ode.states))]
     states = [i for i, e in numbered.items() if e.kind is Kind.STATE]
-    made = [i for i, e in numbered.items() if e.causality == "calculatedParameter"]
-    unknowns = sorted({*outputs, *derivatives, *states, *made})
+    calculated = [i for i, e in numbered.items() if e.causality == "calculatedParameter"]
+    unknowns = sorted({*outputs, *derivatives, *states, *calculated})
     initial = [i for i in unknowns if numbered[i].initial in _FOLLOWING]
     if not dependencies:
         return ModelStructure(outputs, derivatives, initial, {}, {})
@@ -202,12 +202,12 @@ def unknown(
     numbers: Mapping[int, int],
 ) -> None:
     """One unknown; ``numbers`` turns an index into what this version of FMI refers to variables by."""
-    known = dependencies.get(index)
+    sources = dependencies.get(index)
     attributes = {key: str(numbers[index])}
-    if known is not None:
-        attributes["dependencies"] = " ".join(str(numbers[d.position]) for d in known)
-    if known:
-        attributes["dependenciesKind"] = " ".join(d.kind for d in known)
+    if sources is not None:
+        attributes["dependencies"] = " ".join(str(numbers[d.position]) for d in sources)
+    if sources:
+        attributes["dependenciesKind"] = " ".join(d.kind for d in sources)
     Xml.SubElement(parent, tag, attributes)
 
 

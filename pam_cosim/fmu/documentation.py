@@ -34,14 +34,16 @@ def documentation(ode: Ode, files: Sequence[Path], fmi: str) -> dict[str, bytes]
     """
     tree = read_library(files=files)
     icon, diagram = _pictures(ode.interface.model, files)
-    found = {"documentation/index.html": _page(ode, tree, table(ode, fmi), bool(diagram))}
+    files_by_path = {"documentation/index.html": _page(ode, tree, table(ode, fmi), bool(diagram))}
     if diagram:
-        found["documentation/diagram.png"] = diagram
+        files_by_path["documentation/diagram.png"] = diagram
     if fmi == "2.0":
-        return found | ({"model.png": icon} if icon else {})
+        return files_by_path | ({"model.png": icon} if icon else {})
     annotation = tree.classes[ode.interface.model].annotations.get("__PamCosim", "")
-    found["terminalsAndIcons/terminalsAndIcons.xml"] = _terminals(ode, annotation, bool(icon))
-    return found | ({"terminalsAndIcons/icon.png": icon} if icon else {})
+    files_by_path["terminalsAndIcons/terminalsAndIcons.xml"] = _terminals(
+        ode, annotation, bool(icon)
+    )
+    return files_by_path | ({"terminalsAndIcons/icon.png": icon} if icon else {})
 
 
 def _pictures(model: str, files: Sequence[Path]) -> tuple[bytes, bytes]:
@@ -76,15 +78,15 @@ def _terminals(ode: Ode, annotation: str, has_icon: bool) -> bytes:
         Xml.SubElement(drawing, "CoordinateSystem", corners | scale)
         Xml.SubElement(drawing, "Icon", corners)
     declared = _TERMINALS.search(annotation)
-    known = ode.interface.inputs | ode.interface.outputs
+    signals = ode.interface.inputs | ode.interface.outputs
     listed = Xml.SubElement(root, "Terminals") if declared else root
     for plug in declared[1].split(";") if declared else ():
         name, _, members = plug.partition(":")
         terminal = Xml.SubElement(
             listed, "Terminal", {"name": name.strip(), "matchingRule": "plug"}
         )
-        for member in (one.strip() for one in members.split(",")):
-            if member in known:
+        for member in (part.strip() for part in members.split(",")):
+            if member in signals:
                 named = {"variableName": member, "memberName": member, "variableKind": "signal"}
                 Xml.SubElement(terminal, "TerminalMemberVariable", named)
     return document(root)

@@ -86,8 +86,8 @@ class Pictures:
     def shapes(self, of: Class, layer: str = "Icon") -> list[Shape]:
         """Shapes of a layer, those of base classes first, as an editor draws them."""
         inherited = [shape for base in self.lookup.bases(of) for shape in self.shapes(base, layer)]
-        own = _argument(of.definition.annotation, layer, "graphics")
-        return inherited + (value(own) if own is not None else [])
+        graphics = _argument(of.definition.annotation, layer, "graphics")
+        return inherited + (value(graphics) if graphics is not None else [])
 
     def extent(self, of: Class) -> Points:
         """Corners of the diagram, (2, 2): its own, else those of the first base class that states some."""
@@ -128,8 +128,10 @@ class Pictures:
 
     def lines(self, of: Class) -> list[tuple[Connect, Shape | None]]:
         """The connections of a class itself, each with its line."""
-        found = [c for section in of.definition.sections for c in _connections(section.equations)]
-        return [(c, _line(of.definition.source, c.annotation)) for c in found]
+        connections = [
+            c for section in of.definition.sections for c in _connections(section.equations)
+        ]
+        return [(c, _line(of.definition.source, c.annotation)) for c in connections]
 
     def drawn_lines(self, of: Class) -> list[Shape]:
         """The lines of a class's connections, inherited ones first."""

@@ -25,37 +25,42 @@ def model_functions(ode: Ode, lean: bool = False) -> list[ca.Function]:
     x0 = ca.densify(ca.SX(ode.initial))
     delays = ca.vertcat(ca.SX(0, 1), *[ca.SX(delay.time) for delay in ode.delays])
     du, dd = ca.SX.sym("du", u.numel()), ca.SX.sym("dd", d.numel())
-    known = [t, x, u, d, p]
+    arguments = [t, x, u, d, p]
     # One seed for everything at once: the derivative along (st, sx, su, sd, sp).
     seed = [
-        ca.SX.sym(n, s.numel()) for n, s in zip(("st", "sx", "su", "sd", "sp"), known, strict=True)
+        ca.SX.sym(n, s.numel())
+        for n, s in zip(("st", "sx", "su", "sd", "sp"), arguments, strict=True)
     ]
     sp = seed[-1]
-    core, own = f[: ode.core], x[: ode.core]
+    core, core_states = f[: ode.core], x[: ode.core]
     chosen = sensitivity_symbols(ode)
     total = ca.jtimes(core, ca.vertcat(t, u, d), ca.vertcat(ca.SX(1), du, dd))
     conditions = ca.vertcat(ca.SX(0, 1), *[ca.SX(s.condition) for s in ode.statements])
     shown = ca.vertcat(
         ca.SX(0, 1), *[ca.SX(value) for s in ode.statements for value, _ in s.values]
     )
-    check = [_function("pam_check", known, [conditions, shown])] if ode.statements else []
+    check = [_function("pam_check", arguments, [conditions, shown])] if ode.statements else []
     return [
-        *([] if lean else [_function("pam_rhs", known, [f])]),
-        _function("pam_out", known, [y]),
-        _function("pam_loc", known, [w]),
-        _function("pam_core_rhs", [t, own, u, d, p], [core]),
-        _function("pam_lin", [t, own, u, d, du, dd, p], [core, ca.jacobian(core, own), total]),
+        *([] if lean else [_function("pam_rhs", arguments, [f])]),
+        _function("pam_out", arguments, [y]),
+        _function("pam_loc", arguments, [w]),
+        _function("pam_core_rhs", [t, core_states, u, d, p], [core]),
+        _function(
+            "pam_lin",
+            [t, core_states, u, d, du, dd, p],
+            [core, ca.jacobian(core, core_states), total],
+        ),
         _function(
             "pam_variation",
-            [t, own, u, d, p],
-            [ca.jacobian(core, own), ca.jacobian(core, chosen).T],
+            [t, core_states, u, d, p],
+            [ca.jacobian(core, core_states), ca.jacobian(core, chosen).T],
         ),
         _function("pam_init", [p, u], [x0]),
         _function("pam_delay", [p, sp], [delays, ca.jtimes(delays, p, sp)]),
         *check,
-        *([] if lean else _directional(known, seed, (f, y, w), x0)),
+        *([] if lean else _directional(arguments, seed, (f, y, w), x0)),
         *(
-            _at_start(ode, [t, own, u, d, du, dd, p], chosen, None if lean else seed)
+            _at_start(ode, [t, core_states, u, d, du, dd, p], chosen, None if lean else seed)
             if ode.following
             else []
         ),
@@ -66,30 +71,35 @@ def _at_start(
     ode: Ode, given: Sequence[ca.SX], chosen: ca.SX, seed: Sequence[ca.SX] | None
 ) -> list[ca.Function]:
     """As ``pam_lin``, ``pam_variation`` and ``pam_jvp``, of what vanishes where the model begins."""
-    (t, own, u, d, du, dd, p), rates = given, ode.start_rates
+    (t, core_states, u, d, du, dd, p), rates = given, ode.start_rates
     total = ca.jtimes(rates, ca.vertcat(t, u, d), ca.vertcat(ca.SX(1), du, dd))
-    slopes = ca.jacobian(rates, own)
-    known = [t, ode.x, u, d, p]
-    along = [] if seed is None else [ca.jtimes(rates, ca.vertcat(*known), ca.vertcat(*seed))]
+    slopes = ca.jacobian(rates, core_states)
+    arguments = [t, ode.x, u, d, p]
+    along = [] if seed is None else [ca.jtimes(rates, ca.vertcat(*arguments), ca.vertcat(*seed))]
     return [
         _function("pam_start_lin", given, [rates, slopes, total]),
-        _function("pam_start_variation", [t, own, u, d, p], [slopes, ca.jacobian(rates, chosen).T]),
-        *([] if seed is None else [_function("pam_start_jvp", [*known, *seed], along)]),
+        _function(
+            "pam_start_variation", [t, core_states, u, d, p], [slopes, ca.jacobian(rates, chosen).T]
+        ),
+        *([] if seed is None else [_function("pam_start_jvp", [*arguments, *seed], along)]),
     ]
 
 
 def _directional(
-    known: Sequence[ca.SX], seed: Sequence[ca.SX], of: Sequence[ca.SX], start: ca.SX
+    arguments: Sequence[ca.SX], seed: Sequence[ca.SX], of: Sequence[ca.SX], start: ca.SX
 ) -> list[ca.Function]:
     """Derivatives along a seed, of what is computed of everything known, and of the initial states."""
-    told, moved = (known[-1], known[2]), (seed[-1], seed[2])  # parameters and inputs
-    along = [ca.jtimes(e, ca.vertcat(*known), ca.vertcat(*seed)) for e in of]
+    exogenous, exogenous_seed = (
+        (arguments[-1], arguments[2]),
+        (seed[-1], seed[2]),
+    )  # parameters and inputs
+    along = [ca.jtimes(e, ca.vertcat(*arguments), ca.vertcat(*seed)) for e in of]
     return [
-        _function("pam_jvp", [*known, *seed], along),
+        _function("pam_jvp", [*arguments, *seed], along),
         _function(
             "pam_init_jvp",
-            [*told, *moved],
-            [ca.jtimes(start, ca.vertcat(*told), ca.vertcat(*moved))],
+            [*exogenous, *exogenous_seed],
+            [ca.jtimes(start, ca.vertcat(*exogenous), ca.vertcat(*exogenous_seed))],
         ),
     ]
 
@@ -97,8 +107,8 @@ def _directional(
 def _function(name: str, inputs: Sequence[ca.SX], outputs: Sequence[ca.SX]) -> ca.Function:
     dense = [ca.densify(output) for output in ca.cse(list(outputs))]
     symbols = ca.symvar(ca.vertcat(*[ca.vec(output) for output in dense]))
-    known = {str(s) for i in inputs for s in ca.symvar(i)}
-    foreign = [str(s) for s in symbols if str(s) not in known]
+    names = {str(s) for i in inputs for s in ca.symvar(i)}
+    foreign = [str(s) for s in symbols if str(s) not in names]
     if foreign:
         raise ModelError(f"the model's equations use {', '.join(foreign)}, which has no value here")
     return ca.Function(name, list(inputs), dense)

@@ -66,9 +66,9 @@ def build_model(
     key, make = _recipe(full_name(model, files), files, sensitivities, where_smooth)
     if brief:
         return cached_whole_taped_model(key, make)
-    own = [*files, Path(model)] if is_modelica(model) else files
+    model_files = [*files, Path(model)] if is_modelica(model) else files
     return cached_fmu(
-        key, make, platforms=platforms, fmi=fmi, documented=own if documented else None
+        key, make, platforms=platforms, fmi=fmi, documented=model_files if documented else None
     )
 
 
@@ -107,8 +107,8 @@ def _recipe(
 
     def make() -> Ode:
         ode = cached_ode(key, compiled)
-        known = smooth_parameters(ode) if where_smooth else sensitivities
-        chosen = [name for name in sensitivities if name in known and name != START_VALUES]
+        differentiable = smooth_parameters(ode) if where_smooth else sensitivities
+        chosen = [name for name in sensitivities if name in differentiable and name != START_VALUES]
         starts = (
             [s.name for s in ode.states if s.name not in chosen]
             if START_VALUES in sensitivities
@@ -130,8 +130,10 @@ def source_ode(model: str, text: str, files: Sequence[Path] = ()) -> Ode:
     Raises:
         ModelError: the model cannot be compiled.
     """
-    own = [*files, _source(text)]
-    return cached_ode(flat_hash(model, files=own), lambda: compile_model(model, files=own))
+    all_files = [*files, _source(text)]
+    return cached_ode(
+        flat_hash(model, files=all_files), lambda: compile_model(model, files=all_files)
+    )
 
 
 def _source(text: str) -> Path:

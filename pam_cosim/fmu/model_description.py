@@ -52,16 +52,16 @@ def model_description(
     head["variableNamingConvention"] = parts.naming_convention(entries)
     head |= {"numberOfEventIndicators": "0"} if is_second else {}
     root = Xml.Element("fmiModelDescription", head)
-    both = {"modelIdentifier": parts.model_identifier(model)} | dict.fromkeys(_FLAGS[fmi], "true")
-    both |= dict.fromkeys(_DERIVATIVES[fmi], str(not lean).lower())
+    shared = {"modelIdentifier": parts.model_identifier(model)} | dict.fromkeys(_FLAGS[fmi], "true")
+    shared |= dict.fromkeys(_DERIVATIVES[fmi], str(not lean).lower())
     # nobody tells an FMU for model exchange what its inputs were between two evaluations
     exchange = {} if ode.delays else {"ModelExchange": dict[str, str]()}
     if exchange and ode.statements and not is_second:
         exchange["ModelExchange"] = {"needsCompletedIntegratorStep": "true"}
     steps = {"canHandleVariableCommunicationStepSize": "true", **_INPUTS[fmi]}
     steps["maxOutputDerivativeOrder"] = str(int(not lean))
-    for kind, own in (exchange | {"CoSimulation": steps}).items():
-        element = Xml.SubElement(root, kind, both | own)
+    for kind, attributes in (exchange | {"CoSimulation": steps}).items():
+        element = Xml.SubElement(root, kind, shared | attributes)
         if is_second and sources:
             _files(Xml.SubElement(element, "SourceFiles"), "File", sources)
     parts.units(root, [entry.variable for entry in entries])
@@ -94,8 +94,8 @@ def _variables(parent: Xml.Element, entries: Sequence[VariableEntry], is_second:
             Xml.SubElement(Xml.SubElement(parent, "ScalarVariable", scalar), "Real", real)
         elif entry.alias:
             of_alias = ("name", "description", "displayUnit")
-            both = {k: v for k, v in (scalar | real).items() if k in of_alias}
-            Xml.SubElement(elements[entry.reference], "Alias", both)
+            attributes = {k: v for k, v in (scalar | real).items() if k in of_alias}
+            Xml.SubElement(elements[entry.reference], "Alias", attributes)
         else:
             elements[entry.reference] = Xml.SubElement(parent, "Float64", scalar | real)
 
@@ -103,12 +103,12 @@ def _variables(parent: Xml.Element, entries: Sequence[VariableEntry], is_second:
 def _structure(
     parent: Xml.Element, ode: Ode, fmi: str, entries: Sequence[VariableEntry], lean: bool
 ) -> None:
-    found, is_second = parts.model_structure(ode, entries, dependencies=not lean), fmi == "2.0"
+    structure, is_second = parts.model_structure(ode, entries, dependencies=not lean), fmi == "2.0"
     numbers = {i: i if is_second else entry.reference for i, entry in enumerate(entries, 1)}
     for name, indices, dependencies in zip(
         _UNKNOWNS[fmi],
-        (found.outputs, found.derivatives, found.initial),
-        (found.running, found.running, found.starting),
+        (structure.outputs, structure.derivatives, structure.initial),
+        (structure.running, structure.running, structure.starting),
         strict=True,
     ):
         holder = Xml.SubElement(parent, name) if is_second and indices else parent

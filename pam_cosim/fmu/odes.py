@@ -24,17 +24,17 @@ _LETTERS = 16  # of a key, which tell the shipped models apart
 
 def cached_ode(key: str, make: Callable[[], Ode]) -> Ode:
     """The model in the cache; ``make`` is called only where it is neither there nor shipped."""
-    made: list[Ode] = []
+    models: list[Ode] = []
 
     def content() -> bytes:
         shipped = _shipped(key)
         if shipped is not None:
             return zlib.compress(shipped)
-        made.append(make())
-        return zlib.compress(ode_bytes(made[0]))
+        models.append(make())
+        return zlib.compress(ode_bytes(models[0]))
 
     path = cached(_KIND, key, _SUFFIX, content)
-    return made[0] if made else read_ode(zlib.decompress(path.read_bytes()))
+    return models[0] if models else read_ode(zlib.decompress(path.read_bytes()))
 
 
 def _shipped(key: str) -> bytes | None:

@@ -164,7 +164,9 @@ def check_document(archive: zipfile.ZipFile, name: str, path: Path) -> None:
     Raises:
         InputError: it is too large.
     """
-    size = max((one.file_size for one in archive.infolist() if one.filename == name), default=0)
+    size = max(
+        (entry.file_size for entry in archive.infolist() if entry.filename == name), default=0
+    )
     if size > MOST_OF_DOCUMENT:
         raise InputError(
             f"{shown(name)} in it has {size / 1e6:.0f} MB; {MOST_OF_DOCUMENT / 1e6:.0f} MB can be taken",
@@ -360,10 +362,10 @@ def interface_of(description: ModelDescription) -> Interface:
     }
     refused: dict[str, str] = {}
     calculated: list[str] = []
-    known = slots(description)
-    own = str(description.generationTool).startswith(TOOL)
-    pressures: Pressures = "gauge" if own else ""
-    for name, slot in known.items():
+    slots_by_name = slots(description)
+    is_pam_fmu = str(description.generationTool).startswith(TOOL)
+    pressures: Pressures = "gauge" if is_pam_fmu else ""
+    for name, slot in slots_by_name.items():
         causality = slot.scalar.causality
         if causality == "calculatedParameter":
             calculated.append(name)
@@ -374,20 +376,22 @@ def interface_of(description: ModelDescription) -> Interface:
         elif causality in groups:
             groups[causality][name] = _variable(slot, pressures)
     for scalar in description.modelVariables:
-        if scalar.name not in known and not scalar.shape:
+        if scalar.name not in slots_by_name and not scalar.shape:
             refused[scalar.name] = f"it is of type {scalar.type}, which has no number"
         elif scalar.shape:
             first = f"{scalar.name}[{','.join('1' * len(scalar.shape))}]"
             shape = " by ".join(map(str, scalar.shape))
             refused[scalar.name] = f"it is an array of {shape} elements; name one, as {first}"
-            if first not in known:
+            if first not in slots_by_name:
                 refused[scalar.name] = f"it is an array of {shape} elements of {scalar.type}"
     experiment = description.defaultExperiment
     given = {} if experiment is None else _experiment(experiment)
     outputs, parameters = groups["output"], groups["parameter"]
     states = _states(description, groups["local"] | groups["output"])
     by = [*parameters, *states]
-    slopes = {sensitivity_name(output, one) for output in outputs for one in by} & {*outputs}
+    slopes = {sensitivity_name(output, parameter) for output in outputs for parameter in by} & {
+        *outputs
+    }
     return Interface(
         printable(description.modelName or ""),
         groups["input"],
@@ -436,11 +440,11 @@ def _refusal(slot: Slot) -> str:
     return ""
 
 
-def _states(description: ModelDescription, known: Mapping[str, Variable]) -> dict[str, str]:
+def _states(description: ModelDescription, variables: Mapping[str, Variable]) -> dict[str, str]:
     """The continuous states that a run can be given other start values of, with their rates; no sensitivities."""
     rates = dict(state_names(description))
-    names = {state: rate for state, rate in rates.items() if state in known}
-    begun = {name for name, variable in known.items() if variable.start is not None}
+    names = {state: rate for state, rate in rates.items() if state in variables}
+    begun = {name for name, variable in variables.items() if variable.start is not None}
     return {n: r for n, r in names.items() if n in begun and not is_sensitivity(n)}
 
 
@@ -474,8 +478,8 @@ def _attribute(scalar: Any, name: str) -> Any:
 
 def _text(scalar: Any, name: str) -> str:
     """A text that is shown to people; it may be of somebody else."""
-    own = getattr(scalar, name) if name == "description" else _attribute(scalar, name)
-    return printable(own or "")
+    text = getattr(scalar, name) if name == "description" else _attribute(scalar, name)
+    return printable(text or "")
 
 
 def _variable(slot: Slot, pressures: Pressures) -> Variable:
@@ -523,12 +527,14 @@ def feedthrough(path: Path) -> tuple[dict[str, frozenset[str]], bool]:
     interface, by_name = interface_of(description), slots(description)
     inputs, outputs = frozenset(interface.inputs), [*interface.outputs, *interface.sensitivities]
     declared = {u.variable.name: u.dependencies for u in description.outputs}
-    known = {}
+    sources_by_output = {}
     for name in outputs:
         dependencies = declared.get(by_name[name].scalar.name)
         if dependencies is not None:
             sources = {v.name for v in dependencies}
-            known[name] = frozenset(i for i in inputs if by_name[i].scalar.name in sources)
-    return {name: known.get(name, inputs) for name in outputs}, len(known) == len(
-        outputs
-    ) or not inputs
+            sources_by_output[name] = frozenset(
+                i for i in inputs if by_name[i].scalar.name in sources
+            )
+    return {name: sources_by_output.get(name, inputs) for name in outputs}, len(
+        sources_by_output
+    ) == len(outputs) or not inputs

@@ -53,20 +53,24 @@ def initial_dependencies(ode: Ode, entries: Sequence[VariableEntry]) -> Dependen
         (ode.t, _positions(entries, Kind.TIME, 1)),
     ]
     if ode.resting:
-        every = [Dependency(i, "dependent") for _, part in knowns for i in part if i is not None]
-        return dict.fromkeys(range(1, len(entries) + 1), sorted(every, key=lambda d: d.position))
+        all_knowns = [
+            Dependency(i, "dependent") for _, part in knowns for i in part if i is not None
+        ]
+        return dict.fromkeys(
+            range(1, len(entries) + 1), sorted(all_knowns, key=lambda d: d.position)
+        )
     exact = {e.index for e in entries if e.kind is Kind.STATE and e.initial == "exact"}
     initial = ca.vertsplit(ca.SX(ode.initial)) if ode.states else []
     start = ca.vertcat(*[ode.x[i] if i in exact else initial[i] for i in range(len(initial))])
     derivatives, outputs = ca.substitute(_undelayed(ode), [ode.x], [ca.SX(start)])
     calculated = {e.index for e in entries if e.causality == "calculatedParameter"}
     local = ca.SX(ode.locals)
-    made = [local[i] if i in calculated else ca.SX(0) for i in range(local.numel())]
+    calculated_values = [local[i] if i in calculated else ca.SX(0) for i in range(local.numel())]
     unknowns = {
         Kind.DERIVATIVE: derivatives,
         Kind.OUTPUT: outputs,
         Kind.STATE: ca.SX(start),
-        Kind.LOCAL: ca.vertcat(ca.SX(0, 1), *made),
+        Kind.LOCAL: ca.vertcat(ca.SX(0, 1), *calculated_values),
     }
     return _assign(ode, entries, unknowns, knowns, ca.SX(0, 1))
 
@@ -80,10 +84,10 @@ def _positions(entries: Sequence[VariableEntry], kind: Kind, count: int) -> list
 def _undelayed(ode: Ode) -> list[ca.SX]:
     """Derivatives and outputs as they are at the start, or where a delay is zero: the inputs act at once."""
     pairs = zip(ode.delays, ca.vertsplit(ode.d), strict=True) if ode.delays else ()
-    now = ca.vertcat(
+    inputs = ca.vertcat(
         ca.SX(0, 1), *[d if delay.input is None else ode.u[delay.input] for delay, d in pairs]
     )
-    return list(ca.substitute([ode.derivatives, ode.outputs], [ode.d], [now]))
+    return list(ca.substitute([ode.derivatives, ode.outputs], [ode.d], [inputs]))
 
 
 def _assign(

@@ -61,9 +61,9 @@ class VariableEntry:
 
 def constant_starts(ode: Ode) -> list[float | None]:
     """Start values of the states that are known beforehand; None for those that depend on parameters or are sought."""
-    found = {*ode.resting, *(name for name, _ in ode.following)}
-    own = [state.name in found for state in ode.states[: ode.core]]
-    sought = [*own, *(rests for rests in own for _ in ode.sensitivities)]
+    equilibrium_states = {*ode.resting, *(name for name, _ in ode.following)}
+    are_sought = [state.name in equilibrium_states for state in ode.states[: ode.core]]
+    sought = [*are_sought, *(rests for rests in are_sought for _ in ode.sensitivities)]
     values = ca.vertsplit(ca.SX(ode.initial))
     return [
         float(x0) if x0.is_constant() and not s else None
@@ -113,8 +113,8 @@ def table(ode: Ode, fmi: str = "2.0", *, lean: bool = False) -> list[VariableEnt
     ):
         for index, variable in enumerate(variables):
             entry = _entry(kind, index, variable, starts)
-            known = entries.get(entry.name)
-            entries[entry.name] = entry if known is None else _merge(known, entry)
+            previous = entries.get(entry.name)
+            entries[entry.name] = entry if previous is None else _merge(previous, entry)
     merged = [e for e in entries.values() if fmi != "2.0" or e.kind is not Kind.TIME]
     if lean:
         return [replace(entry, reference=i) for i, entry in enumerate(merged, 1)]
@@ -153,20 +153,22 @@ def _kinds_of_locals(ode: Ode, changing: Set[int], fmi: str) -> list[dict[str, A
     by: dict[int, set[int]] = {}
     for row, column in zip(pattern.row(), pattern.get_col(), strict=True):
         by.setdefault(row, set()).add(column)
-    found: list[dict[str, Any]] = []
+    attributes: list[dict[str, Any]] = []
     for i, value in enumerate(ca.vertsplit(ca.SX(ode.locals)) if ode.locals.numel() else ()):
         if i in varying:
-            found.append({})
+            attributes.append({})
         elif i in by:
             variability = "tunable" if by[i] & changing else "fixed"
-            found.append({"causality": "calculatedParameter", "variability": variability})
+            attributes.append({"causality": "calculatedParameter", "variability": variability})
         elif fmi == "2.0":
-            found.append({"causality": "calculatedParameter", "variability": "fixed"})
+            attributes.append({"causality": "calculatedParameter", "variability": "fixed"})
         elif value.is_constant() and math.isfinite(float(value)):
-            found.append({"variability": "constant", "initial": "exact", "start": float(value)})
+            attributes.append(
+                {"variability": "constant", "initial": "exact", "start": float(value)}
+            )
         else:
-            found.append({})
-    return found
+            attributes.append({})
+    return attributes
 
 
 def _keys(ode: Ode, entries: Sequence[VariableEntry], fmi: str) -> list[Hashable]:
@@ -189,22 +191,22 @@ def _keys(ode: Ode, entries: Sequence[VariableEntry], fmi: str) -> list[Hashable
         if entry.kind not in parts or alone:
             keys.append(entry.name)
             continue
-        one = expressions[entry.kind][entry.index]
-        value = float(one) if one.is_constant() else one.element_hash()
-        keys.append((value, one.is_constant(), entry.variable.unit, entry.variability))
+        column = expressions[entry.kind][entry.index]
+        value = float(column) if column.is_constant() else column.element_hash()
+        keys.append((value, column.is_constant(), entry.variable.unit, entry.variability))
     return keys
 
 
 def _numbered(entries: Sequence[VariableEntry], keys: Sequence[Hashable]) -> list[VariableEntry]:
     """With references: a local or an output takes that of an equal variable before it."""
     numbers: dict[Hashable, int] = {}
-    found: list[VariableEntry] = []
+    numbered: list[VariableEntry] = []
     for entry, key in zip(entries, keys, strict=True):
         alias = key in numbers and entry.kind in (Kind.LOCAL, Kind.OUTPUT)
-        number = numbers[key] if alias else 1 + sum(not e.alias for e in found)
+        number = numbers[key] if alias else 1 + sum(not e.alias for e in numbered)
         numbers.setdefault(key, number)
-        found.append(replace(entry, reference=number, alias=alias))
-    return found
+        numbered.append(replace(entry, reference=number, alias=alias))
+    return numbered
 
 
 def _entry(
@@ -231,18 +233,18 @@ def _entry(
     return VariableEntry(variable, kind, index, kind.value)
 
 
-def _merge(known: VariableEntry, other: VariableEntry) -> VariableEntry:
+def _merge(first: VariableEntry, second: VariableEntry) -> VariableEntry:
     """One variable for two parts of the ODE that carry the same name."""
-    if other.kind is Kind.LOCAL or (known.kind is Kind.LOCAL and other.kind is Kind.TIME):
-        return known
-    if other.kind is Kind.OUTPUT and known.causality == "local":
+    if second.kind is Kind.LOCAL or (first.kind is Kind.LOCAL and second.kind is Kind.TIME):
+        return first
+    if second.kind is Kind.OUTPUT and first.causality == "local":
         return replace(
-            known, causality="output", variable=_described(known.variable, other.variable)
+            first, causality="output", variable=_described(first.variable, second.variable)
         )
-    if other.kind is Kind.DERIVATIVE and known.kind is Kind.STATE:
-        return replace(known, derivative_of=other.index)
+    if second.kind is Kind.DERIVATIVE and first.kind is Kind.STATE:
+        return replace(first, derivative_of=second.index)
     raise ModelError(
-        f"'{known.name}' is the name of two variables: {known.kind.value} and {other.kind.value}"
+        f"'{first.name}' is the name of two variables: {first.kind.value} and {second.kind.value}"
     )
 
 

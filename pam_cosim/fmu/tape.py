@@ -174,8 +174,8 @@ def _scheduled(operations: Sequence[_Operation], begin: int) -> list[tuple[int, 
     for i in reversed(range(len(operations))):
         if users[i]:
             chain[i] += max(map(chain.__getitem__, users[i]))
-    kinds = [one.kind for one in operations]
-    left, found = Counter(kinds), []
+    kinds = [operation.kind for operation in operations]
+    remaining, order = Counter(kinds), []
     ready, longest = defaultdict[int, list[int]](list), Counter[int]()
 
     def note(i: int) -> None:
@@ -187,7 +187,7 @@ def _scheduled(operations: Sequence[_Operation], begin: int) -> list[tuple[int, 
         if not count:
             note(i)
     while ready:
-        kind = max(ready, key=lambda k: (len(ready[k]) == left[k], longest[k]))
+        kind = max(ready, key=lambda k: (len(ready[k]) == remaining[k], longest[k]))
         members = ready.pop(kind)
         for i in members:  # which grows: an operation may use what one of its own kind makes
             for user in users[i]:
@@ -197,10 +197,10 @@ def _scheduled(operations: Sequence[_Operation], begin: int) -> list[tuple[int, 
                         members.append(user)
                     else:
                         note(user)
-        left[kind] -= len(members)
+        remaining[kind] -= len(members)
         longest[kind] = 0
-        found.append((kind, members))
-    return found
+        order.append((kind, members))
+    return order
 
 
 class _Step(NamedTuple):
