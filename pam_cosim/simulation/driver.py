@@ -219,7 +219,7 @@ class Driver:
         way = {"set_values": "Set", "get_values": "Get"}.get(SLOTS[stage])
         if way is None:
             return self._names[stage]
-        kinds = (one.functions.get(run.group) for one in [*self._selected.values()])
+        kinds = (selected.functions.get(run.group) for selected in [*self._selected.values()])
         kind = next(filter(None, kinds), "")
         return f"fmi{self._version}{way}{kind}"
 
@@ -234,7 +234,7 @@ class Driver:
         """One simulation."""
         plan, tolerance = request.plan, request.tolerance
         selected = [self._select(n) for n in (request.parameters, request.inputs, request.outputs)]
-        parameters, inputs, outputs = (one.selection for one in selected)
+        parameters, inputs, outputs = (choice.selection for choice in selected)
         settings = list(request.parameters.values())
         values = parameters.spread(np.array(settings, dtype=np.float64))
         texts = parameters.texts(settings)
@@ -244,7 +244,7 @@ class Driver:
         count = len(sloped[0].references) if sloped else 0
         orders = np.ones(count, dtype=np.int32)
         result = np.full((plan.row_count, outputs.width), np.nan)
-        buffer = np.empty(max(1, *(one.selection.width for one in selected)))
+        buffer = np.empty(max(1, *(choice.selection.width for choice in selected)))
         run = DriverRun(
             **self._addresses,
             instance=self._instance,

@@ -271,8 +271,8 @@ class ExchangeDriver:
 
     def _advance(self, solver: _Integrator, goal: float) -> None:
         """To a time [s], over the events before it."""
-        near = _near(goal)
-        while goal - self.time > near:
+        tolerance = _near(goal)
+        while goal - self.time > tolerance:
             self.check_time()
             happened = self._step(solver, min(goal, max(self._next_event, self.time)))
             ended = False
@@ -281,7 +281,7 @@ class ExchangeDriver:
                 happened = happened or entered
             if ended:
                 raise _EndedByModel
-            if happened or self.time >= self._next_event - near:
+            if happened or self.time >= self._next_event - tolerance:
                 self._event(solver)
 
     def _step(self, solver: _Integrator, goal: float) -> bool:

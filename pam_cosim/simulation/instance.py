@@ -95,12 +95,12 @@ def load_instance(
     try:
         if version == "2.0":
             arguments["libraryPath"] = str(library)
-        made = _CLASSES[version, exchange](**arguments)
+        instance = _CLASSES[version, exchange](**arguments)
         if (Path(directory) / TABLES).exists():  # a model as data
             from pam_cosim.simulation.tape import use_tapes
 
-            use_tapes(made.dll, Path(directory))
-        return made
+            use_tapes(instance.dll, Path(directory))
+        return instance
     except Exception as error:  # fmpy raises bare Exceptions
         raise InputError(f"the FMU cannot be loaded on this machine: {error}", path) from error
     finally:
@@ -129,9 +129,9 @@ def _library(directory: Path, identifier: str, version: str, path: Path) -> Path
     Raises:
         InputError: there is none.
     """
-    own, binaries = PLATFORMS[native_platform()], directory / "binaries"
-    folders = (own.folder, fmpy.platform) if version == "2.0" else (own.tuple,)
-    files = [binaries / folder / f"{identifier}{own.suffix}" for folder in folders]
+    platform, binaries = PLATFORMS[native_platform()], directory / "binaries"
+    folders = (platform.folder, fmpy.platform) if version == "2.0" else (platform.tuple,)
+    files = [binaries / folder / f"{identifier}{platform.suffix}" for folder in folders]
     for file in files:
         if file.exists():
             return file

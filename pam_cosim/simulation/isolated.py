@@ -109,21 +109,21 @@ class IsolatedSimulator:
         if failure.run is not None or read_description(self.path).modelExchange is None:
             raise failure
         name, reason = self.path.name, RunFailure(failure.reason, failure.time)
-        said = f"the co-simulation of {name} fails, so that its model exchange was run with CVode: {reason}"
+        solver = f"the co-simulation of {name} fails, so that its model exchange was run with CVode: {reason}"
         try:
-            return self._exchanged(request, said)
+            return self._exchanged(request, solver)
         except (RunFailure, InputError):
             raise failure from None
 
-    def _exchanged(self, request: dict[str, Any], said: str) -> Trajectory:
+    def _exchanged(self, request: dict[str, Any], solver: str) -> Trajectory:
         try:
             answer = self._exchange.answer("run", request | {"max_seconds": self._longest})
         except RunFailure as failure:
             if failure.run is not None:
-                failure.run = replace(failure.run, solver=said)
+                failure.run = replace(failure.run, solver=solver)
             raise
         assert isinstance(answer, Trajectory)
-        return replace(answer, solver=said)
+        return replace(answer, solver=solver)
 
     def equilibria(
         self,

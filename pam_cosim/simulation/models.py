@@ -52,7 +52,7 @@ def build(
     if output is not None:
         check_writable(Path(output), new_folder=True)
     model = model_name(model)
-    made = _built(
+    fmu = _built(
         model,
         as_paths(files),
         platforms=platforms,
@@ -61,12 +61,12 @@ def build(
         documented=True,
     )
     if is_fmu(model):  # what is no FMU is no better under another name
-        read_interface(made)
+        read_interface(fmu)
     if output is None:
-        return made
+        return fmu
     target = Path(output)
     make_folder(target.parent)
-    write_bytes(target, made.read_bytes())
+    write_bytes(target, fmu.read_bytes())
     return target
 
 

@@ -17,6 +17,6 @@ def with_netcdf_names(data: xarray.Dataset) -> xarray.Dataset:
     names = {str(name) for name in (*data.variables, *data.sizes) if "/" in str(name)}
     if not names:
         return data
-    for name in names & {str(one) for one in data.variables}:
+    for name in names & {str(variable) for variable in data.variables}:
         data[name].attrs[ORIGINAL] = name
     return data.rename({name: name.replace("/", _DIVISION) for name in sorted(names)})

@@ -71,21 +71,23 @@ class EqualSteps:
         from scipy.interpolate import Akima1DInterpolator
 
         count, last = int(self.ends[-1]), np.floor(self.place).astype(np.int64)
-        made, before = values[last], values[count + 1 :]
+        rows, before = values[last], values[count + 1 :]
         is_first = np.append(self.place[1:] == self.place[:-1], False)
         for a, b, end in zip(self.ends[:-1], self.ends[1:], before, strict=True):
-            points, own = np.arange(a, b + 1), np.concatenate((values[a:b], end[None]))
+            points, piece = np.arange(a, b + 1), np.concatenate((values[a:b], end[None]))
             inside = (self.place > a) & (self.place < b)
             if not inside.any():
                 pass
-            elif b - a == 1 or not np.isfinite(own).all():
+            elif b - a == 1 or not np.isfinite(piece).all():
                 share = (self.place[inside] - a)[:, None]
-                made[inside] = own[0] + share * (own[1] - own[0])
+                rows[inside] = piece[0] + share * (piece[1] - piece[0])
             else:
-                made[inside] = Akima1DInterpolator(points, own, method="makima")(self.place[inside])
-            made[is_first & (self.place == b)] = end
-        made[:, held] = values[last][:, held]
-        return made
+                rows[inside] = Akima1DInterpolator(points, piece, method="makima")(
+                    self.place[inside]
+                )
+            rows[is_first & (self.place == b)] = end
+        rows[:, held] = values[last][:, held]
+        return rows
 
 
 @dataclass(frozen=True)
@@ -172,11 +174,11 @@ def _laid_out(
         grid = np.arange(start, end, steps.ramps)
         changes = _inside(np.concatenate((changes, changing, grid, times)), start, end)
     points, evaluated, point_of_time = _merge(times, start, changes)
-    known = ~np.isnan(evaluated) if lines else np.zeros(points.size, dtype=bool)
-    at = evaluated[known]
+    is_knot = ~np.isnan(evaluated) if lines else np.zeros(points.size, dtype=bool)
+    at = evaluated[is_knot]
     columns = [line.at(at) for line in lines]
     values, slopes = _stacked(columns, 0, at.size), _stacked(columns, 1, at.size)
-    knots = np.where(known, np.cumsum(known) - 1, -1).astype(np.int64)
+    knots = np.where(is_knot, np.cumsum(is_knot) - 1, -1).astype(np.int64)
     means = None
     if ramps:  # every point is a knot, and the inputs are straight up to the next one
         halves = np.append(np.diff(points), 0.0)[:, None] / 2.0
@@ -228,11 +230,11 @@ def _smooth_ends(lines: Sequence[Pieces], points: Array) -> Indices:
         before = line.value[:-1] + line.slope[:-1] * np.append(0.0, np.diff(line.time[1:]))
         jumps = np.abs(line.value[1:] - before) > _JUMP * np.ptp(line.value)
         place = (line.time[1:][jumps] - points[0]) / (points[1] - points[0])
-        near = np.round(place)
-        near = np.where(np.abs(place - near) < _ON_GRID, near, place)
-        ends += [np.floor(near).astype(int), np.ceil(near).astype(int)]
-    every = np.unique(np.concatenate(ends))
-    return every[(every >= 0) & (every < len(points))].astype(np.int64)
+        index = np.round(place)
+        index = np.where(np.abs(place - index) < _ON_GRID, index, place)
+        ends += [np.floor(index).astype(int), np.ceil(index).astype(int)]
+    indices = np.unique(np.concatenate(ends))
+    return indices[(indices >= 0) & (indices < len(points))].astype(np.int64)
 
 
 def _stacked(columns: Sequence[tuple[Array, Array]], place: int, count: int) -> Array:
@@ -268,15 +270,17 @@ def _merge(times: Array, start: float, changes: Array) -> tuple[Array, Array, In
 
     A change that differs from an output's time by rounding alone takes place at the output's time.
     """
-    every = np.concatenate(([start], times, changes))
-    order = np.argsort(every, kind="stable")
-    ordered = every[order]
-    near = _SAME_TIME * max(abs(start), abs(float(times[-1])))
-    group_of_ordered = np.concatenate(([0], np.cumsum(np.diff(ordered) > near)))
+    all_times = np.concatenate(([start], times, changes))
+    order = np.argsort(all_times, kind="stable")
+    ordered = all_times[order]
+    tolerance = _SAME_TIME * max(abs(start), abs(float(times[-1])))
+    group_of_ordered = np.concatenate(([0], np.cumsum(np.diff(ordered) > tolerance)))
     group = np.empty_like(group_of_ordered)
     group[order] = group_of_ordered
     points = np.empty(int(group_of_ordered[-1]) + 1)
-    points[group[::-1]] = every[::-1]  # start first, then outputs, then changes name a group's time
+    points[group[::-1]] = all_times[
+        ::-1
+    ]  # start first, then outputs, then changes name a group's time
     evaluated = np.full(points.size, np.nan)
     evaluated[0] = start
     np.fmax.at(evaluated, group[1 + times.size :], changes)

@@ -189,10 +189,11 @@ class Simulator:
         """
         wanted = np.ascontiguousarray(times, dtype=float)
         start = float(wanted[0]) if start_time is None and wanted.size else start_time or 0.0
-        held, own = self._split(parameters)
+        held, fmu_settings = self._split(parameters)
         course = with_held(inputs, held, start)
         late = sum(
-            own.get(name, v.start or 0.0) for name, v in self.interface.record_delays.items()
+            fmu_settings.get(name, v.start or 0.0)
+            for name, v in self.interface.record_delays.items()
         )
         shown = np.maximum(wanted - late, start) if late else wanted
         layout = plan(shown, start, course, self._steps(wanted), self._held)
@@ -201,8 +202,10 @@ class Simulator:
         if settle != "none" and not self._driver.settles:
             raise InputError(f"a start at rest is an equilibrium, which {_OTHER_TOOLS}", self.path)
         limit = max_seconds or self._usual_limit(len(wanted))
-        outcome = self._outcome(layout, own, values, names, tolerance, limit, settle=settle)
-        settings = {**own, **held}
+        outcome = self._outcome(
+            layout, fmu_settings, values, names, tolerance, limit, settle=settle
+        )
+        settings = {**fmu_settings, **held}
         if outcome.failed is not None:
             raise self._failure(outcome.failed, outcome.time, settings, limit)
         if outcome.ended:
@@ -247,16 +250,16 @@ class Simulator:
         """
         if not self._driver.settles:
             raise InputError(f"quasi-static data need equilibria, which {_OTHER_TOOLS}", self.path)
-        held, own = self._split(parameters)
+        held, fmu_settings = self._split(parameters)
         given = {name: np.asarray(values, dtype=float) for name, values in inputs.items()}
         count = max((values.size for values in given.values()), default=1)
         course = with_held(Inputs(np.arange(count, dtype=float), given), held, 0.0)
         values, names = course.values if course else {}, self._wanted(outputs)
         limit = max_seconds or self._usual_limit(count)
         outcome = self._outcome(
-            points(values, count), own, values, names, None, limit, at_rest=True
+            points(values, count), fmu_settings, values, names, None, limit, at_rest=True
         )
-        settings = {**own, **held}
+        settings = {**fmu_settings, **held}
         if outcome.failed is not None:
             row = int(outcome.time)
             units = self.interface.inputs
@@ -294,7 +297,7 @@ class Simulator:
     def _outcome(
         self,
         layout: CommunicationPlan,
-        own: Mapping[str, float],
+        settings: Mapping[str, float],
         inputs: Iterable[str],
         names: Sequence[str],
         tolerance: float | None,
@@ -304,7 +307,7 @@ class Simulator:
     ) -> Outcome:
         if self._instance is None:
             raise RuntimeError("the simulator is closed")
-        self._check_names(own, self._settable, "parameter")
+        self._check_names(settings, self._settable, "parameter")
         self._check_names(inputs, self.interface.inputs, "input")
         self._check_names(names, self.interface.variables, "output")
         self._callbacks.take_messages()
@@ -315,7 +318,7 @@ class Simulator:
         def drive() -> Outcome:
             request = Request(
                 layout,
-                own,
+                settings,
                 [*inputs],
                 names,
                 tolerance,
@@ -342,8 +345,8 @@ class Simulator:
         self, times: Array, names: Sequence[str], outcome: Outcome, settings: Mapping[str, float]
     ) -> None:
         """Raises RunFailure, with the trajectory so far, where the FMU ended the simulation early."""
-        near = 1e-9 * max(abs(outcome.time), 1.0)
-        is_there = (times <= outcome.time + near) & ~np.isnan(outcome.values).any(axis=1)
+        tolerance = 1e-9 * max(abs(outcome.time), 1.0)
+        is_there = (times <= outcome.time + tolerance) & ~np.isnan(outcome.values).any(axis=1)
         if is_there.all():
             return
         count = int(np.argmin(is_there))
@@ -415,10 +418,12 @@ class Simulator:
         self._instance.dll.pam_get_statistics(ctypes.c_void_p(self._instance.component), numbers)
         return SolverStatistics(*numbers)
 
-    def _check_names(self, names: Iterable[str], known: Mapping[str, object], role: str) -> None:
+    def _check_names(
+        self, names: Iterable[str], variables: Mapping[str, object], role: str
+    ) -> None:
         for name in names:
-            if name not in known:
-                raise InputError(self.interface.unknown(name, role, known))
+            if name not in variables:
+                raise InputError(self.interface.unknown(name, role, variables))
 
     def _messages(self) -> list[str]:
         """What the FMU has said since the last run, with its variables named."""

@@ -81,7 +81,7 @@ class Stepper:
 
     def take_messages(self) -> list[str]:
         """What the FMU has said since the last call."""
-        return [named_references(one, self._slots) for one in self._callbacks.take_messages()]
+        return [named_references(text, self._slots) for text in self._callbacks.take_messages()]
 
     def begin(
         self, values: Mapping[str, float], start_time: float = 0.0, tolerance: float | None = None
@@ -278,8 +278,8 @@ class Stepper:
         if isinstance(failure, FMICallException):
             default = _ENDS if self._asked(function, "getBooleanStatus", _TERMINATED) else ""
             reached = self._asked(function, "getRealStatus", _LAST_SUCCESSFUL_TIME)
-            further = math.isfinite(reached) and reached > self.time
-            raise self._failure(function, reached if further else self.time, default) from None
+            has_advanced = math.isfinite(reached) and reached > self.time
+            raise self._failure(function, reached if has_advanced else self.time, default) from None
 
     def _asked(self, function: str, query: str, kind: int) -> float:
         """What an FMU of FMI 2.0 says of a step that failed; 0: nothing."""

@@ -86,37 +86,40 @@ class _Given:
         self.tapes = (_Tape * len(tapes))(*map(self._tape, tapes))
 
     def _texts(self, texts: Sequence[str]) -> Any:
-        made = (ctypes.c_char_p * max(len(texts), 1))(
+        array = (ctypes.c_char_p * max(len(texts), 1))(
             *(text.encode("utf-8", "replace") for text in texts)
         )
-        self._kept.append(made)
-        return ctypes.cast(made, ctypes.POINTER(ctypes.c_char_p))
+        self._kept.append(array)
+        return ctypes.cast(array, ctypes.POINTER(ctypes.c_char_p))
 
     def _array(self, values: Sequence[float], kind: type) -> int:
-        made: NDArray[Any] = np.array([*values] or [0], dtype=kind)
-        self._kept.append(made)
-        return int(made.ctypes.data)
+        array: NDArray[Any] = np.array([*values] or [0], dtype=kind)
+        self._kept.append(array)
+        return int(array.ctypes.data)
 
-    def _statements(self, every: Sequence[Mapping[str, Any]]) -> Any:
-        made = (_Statement * max(len(every), 1))()
-        for at, one in zip(made, every, strict=False):
+    def _statements(self, statements: Sequence[Mapping[str, Any]]) -> Any:
+        array = (_Statement * max(len(statements), 1))()
+        for at, statement in zip(array, statements, strict=False):
             at.is_error, at.at_start, at.values = (
-                one["is_error"],
-                one["at_start"],
-                len(one["digits"]),
+                statement["is_error"],
+                statement["at_start"],
+                len(statement["digits"]),
             )
-            at.texts, at.digits = self._texts(one["texts"]), self._array(one["digits"], np.intc)
-        self._kept.append(made)
-        return ctypes.cast(made, ctypes.POINTER(_Statement))
+            at.texts, at.digits = (
+                self._texts(statement["texts"]),
+                self._array(statement["digits"], np.intc),
+            )
+        self._kept.append(array)
+        return ctypes.cast(array, ctypes.POINTER(_Statement))
 
     def _variables(self, rows: Sequence[Sequence[Any]]) -> Any:
-        made = (_Variable * max(len(rows), 1))()
+        array = (_Variable * max(len(rows), 1))()
         for i, (name, unit, kind, index, tunable, low, high) in enumerate(rows):
             texts = (text.encode("utf-8", "replace") for text in (name, unit))
             limits = -math.inf if low is None else low, math.inf if high is None else high
-            made[i] = _Variable(*texts, kind, index, tunable, *limits)
-        self._kept.append(made)
-        return ctypes.cast(made, ctypes.POINTER(_Variable))
+            array[i] = _Variable(*texts, kind, index, tunable, *limits)
+        self._kept.append(array)
+        return ctypes.cast(array, ctypes.POINTER(_Variable))
 
     def _tape(self, tape: Tape | None) -> _Tape:
         if tape is None:

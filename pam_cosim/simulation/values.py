@@ -136,15 +136,15 @@ class Selection:
         self._starts = np.array(starts)
         self.is_plain = self.places.tolist() == list(range(self.width))
 
-    def spread(self, values: Array, others: Array | float | None = None) -> Array:
-        """(..., width) of (..., n) values; elements that are not named have their start values, or the ``others``."""
+    def spread(self, values: Array, defaults: Array | float | None = None) -> Array:
+        """(..., width) of (..., n) values; elements without a name have their start values, or the ``defaults``."""
         if self.is_plain:
             return np.ascontiguousarray(values, dtype=float)
-        base = self._starts if others is None else others
-        made = np.empty((*np.shape(values)[:-1], self.width))
-        made[...] = base
-        made[..., self.places] = values
-        return made
+        base = self._starts if defaults is None else defaults
+        widened = np.empty((*np.shape(values)[:-1], self.width))
+        widened[...] = base
+        widened[..., self.places] = values
+        return widened
 
     def named(self, values: Array) -> Array:
         """(..., n) of (..., width)."""
@@ -162,8 +162,8 @@ class Selection:
     def driver_groups(self, addresses: Any) -> tuple[Any, list[Any]]:
         """The groups as an array for C, and what must live as long; ``addresses`` finds a function by its name."""
         kept: list[Any] = []
-        made = (DriverGroup * max(1, len(self.groups)))()
-        for at, group in zip(made, self.groups, strict=False):
+        groups = (DriverGroup * max(1, len(self.groups)))()
+        for at, group in zip(groups, self.groups, strict=False):
             references = np.array(group.references, dtype=np.uint32)
             kept.append(references)
             number = _NUMBERS.get(group.function, 0)
@@ -172,7 +172,7 @@ class Selection:
             at.get = addresses(f"fmi{self.version}Get{group.function}")
             at.n, at.references = len(references), references.ctypes.data
             at.n_values = group.end - group.begin
-        return made, kept
+        return groups, kept
 
 
 class Values:
@@ -210,13 +210,15 @@ class Values:
         selection, numbers = self.selection([*chosen]), list(chosen.values())
         spread = selection.spread(np.array(numbers, dtype=float))
         for group in selection.groups:
-            own: list[Any] = spread[group.places].tolist()
+            elements: list[Any] = spread[group.places].tolist()
             if group.function == "String":
-                own = [text.decode() for text in selection.texts(numbers)]
+                elements = [text.decode() for text in selection.texts(numbers)]
             elif group.function in _INTEGERS:
                 most = 1 if group.function == "Boolean" else integer_span(group.function)[1]
-                own = [min(int(value), most) for value in own]  # a double may round the greatest up
-            getattr(self._instance, f"set{group.function}")(list(group.references), own)
+                elements = [
+                    min(int(value), most) for value in elements
+                ]  # a double may round the greatest up
+            getattr(self._instance, f"set{group.function}")(list(group.references), elements)
 
     def get(self, names: Sequence[str]) -> list[float]:
         """Values by name."""
