@@ -110,7 +110,9 @@ def likely_convention(
     if not driven or not signals:
         return None
     names = {run.name for run in tried.runs}
-    runs = [one for one in base if one.run.name in names] or list(simulate(tried))
+    runs = [comparison for comparison in base if comparison.run.name in names] or list(
+        simulate(tried)
+    )
     if _explains_little(runs, signals):
         return _of_inputs(data, tried, runs, signals, units, simulate)
     return _in_time(data, tried, signals, simulate, fitted)
@@ -118,8 +120,8 @@ def likely_convention(
 
 def _chi2(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> float:
     """Mean square of all residuals in standard deviations of the noise."""
-    every = [_scaled(r, signals[n]) for n in signals for r in runs if n in r.run.measurements]
-    residuals = np.concatenate(every or [np.zeros(1)])
+    per_signal = [_scaled(r, signals[n]) for n in signals for r in runs if n in r.run.measurements]
+    residuals = np.concatenate(per_signal or [np.zeros(1)])
     return float(np.nanmean(residuals**2))
 
 
@@ -148,15 +150,15 @@ def _unexplained(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -
         variance, products = 0.0, np.zeros((2, 2))  # of readings and motion
         for r in (r for r in runs if r.run.sample_count(name)):
             kept, _, measured = r.at_samples(name)
-            both = np.array([measured, r.model[name][kept]]) - r.model[name][kept][0]
-            products += both @ both.T
+            motions = np.array([measured, r.model[name][kept]]) - r.model[name][kept][0]
+            products += motions @ motions.T
             variance += len(measured) * float(np.var(measured))
         if variance:
             size = np.clip(products[0, 1] / (products[1, 1] or 1.0), *_SIZES)
-            far = (math.log(size) / math.log(_SIZES[1])) ** 2
+            distance = (math.log(size) / math.log(_SIZES[1])) ** 2
             scales = np.array([1.0, -size])
-            left = scales @ products @ scales
-            shares.append(min(left / variance + _PRICE_OF_SIZE * far, _MOST_UNEXPLAINED))
+            residual = scales @ products @ scales
+            shares.append(min(residual / variance + _PRICE_OF_SIZE * distance, _MOST_UNEXPLAINED))
     return sum(shares) / max(len(shares) - 1, 1)
 
 
@@ -180,8 +182,8 @@ def _in_time(
     others are with any delay that either may have. Where a lag of many samples is best, none is a convention.
     """
     read = simulate(_refined(tried))
-    own = _by_delay(read, signals)
-    (before, chi2_before), (own_best, own_late) = own[0.0], _best(own)
+    scores = _by_delay(read, signals)
+    (before, chi2_before), (own_best, own_late) = scores[0.0], _best(scores)
     stated = any(run.interpolation_stated for run in tried.runs)
     other = {} if stated else _of_other(tried, read, signals, simulate, fitted)
     if other:
@@ -191,13 +193,13 @@ def _in_time(
         excess, excess_before = chi2 - 1.0, chi2_before - 1.0
         is_less = chi2 < _REMAINING * chi2_before or (explains_all and 2.0 * excess < excess_before)
         if ahead > _GAIN and is_less:
-            was, now = tried.runs[0].interpolation, _other(tried)
+            old_mode, new_mode = tried.runs[0].interpolation, _other(tried)
             text = (
-                f"{_WORDS[now]} commands fit the data much better than {_WORDS[was]} ones: chi-square {chi2:.3g} "
-                f'against {chi2_before:.3g}; write interpolation = "{now}" in each [[runs]]'
+                f"{_WORDS[new_mode]} commands fit the data much better than {_WORDS[old_mode]} ones: chi-square "
+                f'{chi2:.3g} against {chi2_before:.3g}; write interpolation = "{new_mode}" in each [[runs]]'
             )
-            return Convention(_WORDS[now], text, _between(data, now), chi2, chi2_before)
-    after, chi2 = own[own_late]
+            return Convention(_WORDS[new_mode], text, _between(data, new_mode), chi2, chi2_before)
+    after, chi2 = scores[own_late]
     is_usual = own_late in (0.5, 1.0)
     if not is_usual or own_best - before < _GAIN or chi2 >= min(_NEAR_NOISE, chi2_before):
         return None
@@ -235,9 +237,9 @@ def _of_other(
     changed = _refined(_between(tried, _other(tried)))
     try:
         runs = simulate(changed)
-        apart = [(one.model[n] - r.model[n]) / (signals[n].sigma or 1.0)
-                 for one, r in zip(runs, read, strict=True) for n in signals if n in r.run.measurements]  # fmt: skip
-        if sum(float(np.nansum(one**2)) for one in apart) < 2.0 * _GAIN:
+        apart = [(new.model[n] - r.model[n]) / (signals[n].sigma or 1.0)
+                 for new, r in zip(runs, read, strict=True) for n in signals if n in r.run.measurements]  # fmt: skip
+        if sum(float(np.nansum(difference**2)) for difference in apart) < 2.0 * _GAIN:
             return {}
         return _by_delay(runs if fitted is None else fitted(changed), signals)
     except SimulationFailure:
@@ -317,19 +319,19 @@ def _likelihood(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) ->
     total = 0.0
     for name, signal in signals.items():
         pairs = [
-            (one[:-1], one[1:])
+            (residuals[:-1], residuals[1:])
             for r in runs
             if r.run.sample_count(name)
-            for one in [_scaled(r, signal)]
+            for residuals in [_scaled(r, signal)]
         ]
         if not pairs:
             continue
         first, second = (np.concatenate([pair[k] for pair in pairs]) for k in (0, 1))
-        both = np.isfinite(first) & np.isfinite(second)
-        first, second = first[both], second[both]
+        are_finite = np.isfinite(first) & np.isfinite(second)
+        first, second = first[are_finite], second[are_finite]
         power = float(first @ first)
         memory = min(max(float(first @ second) / power, 0.0), 1.0) if power else 0.0
-        variance = float(np.mean((second - memory * first) ** 2)) if both.any() else 1.0
+        variance = float(np.mean((second - memory * first) ** 2)) if are_finite.any() else 1.0
         total -= 0.5 * len(first) * math.log(max(variance, _LEAST_VARIANCE))
     return total
 
@@ -374,12 +376,12 @@ def _changed(data: DataSet, change: _Change) -> DataSet:
 
 def _changes(run: Run, units: Mapping[str, str]) -> Iterator[tuple[str, str, _Change]]:
     """Each mistake that is made with inputs and times: its name, in words, and what puts it right."""
-    for one, other in itertools.combinations(run.inputs, 2):
-        if units.get(one) == units.get(other):
+    for first, second in itertools.combinations(run.inputs, 2):
+        if units.get(first) == units.get(second):
             yield (
                 "swapped",
-                f"the model fits if {one} and {other} are exchanged",
-                _exchange(one, other),
+                f"the model fits if {first} and {second} are exchanged",
+                _exchange(first, second),
             )
     for name, values in run.inputs.items():
         for factor in (0.1, 10.0, 0.001, 1000.0):
@@ -403,11 +405,11 @@ def _changes(run: Run, units: Mapping[str, str]) -> Iterator[tuple[str, str, _Ch
         words = (
             f"the model fits if the times are multiplied by {factor:g}, as those of another unit"
         )
-        yield "time", words, lambda one, factor=factor: replace(one, time=factor * one.time)  # type: ignore[misc]
+        yield "time", words, lambda run, factor=factor: replace(run, time=factor * run.time)  # type: ignore[misc]
 
 
-def _exchange(one: str, other: str) -> _Change:
-    swap = {one: other, other: one}
+def _exchange(first: str, second: str) -> _Change:
+    swap = {first: second, second: first}
     return lambda run: replace(run, inputs={n: run.inputs[swap.get(n, n)] for n in run.inputs})
 
 
@@ -469,8 +471,8 @@ def _from_atmosphere(measured: Array, modelled: Array) -> bool:
     """
     low, high = ATMOSPHERES
     above = float(measured.max() - modelled.max())
-    near = abs(abs(above) - STANDARD_ATMOSPHERE) < _SAME_FACTOR * STANDARD_ATMOSPHERE
-    return bool(low <= math.copysign(1.0, above) * measured.min() <= high and near)
+    is_one_atmosphere = abs(abs(above) - STANDARD_ATMOSPHERE) < _SAME_FACTOR * STANDARD_ATMOSPHERE
+    return bool(low <= math.copysign(1.0, above) * measured.min() <= high and is_one_atmosphere)
 
 
 def _as_units(unit: str, gain: float) -> str:

@@ -28,7 +28,7 @@ class Grid:
         runs: the runs.
         first: (R + 1,) position of each run's first node, and N.
         time: (N,) [s].
-        left: (M,) node that a step starts from; it ends at the next.
+        start_node: (M,) node that a step starts from; it ends at the next.
         step: (M,) [s].
         parameters: (R, P) all parameters of the model [SI], in its order.
         node_inputs, stage_inputs: (N, U) and (M, U) [SI]; at a node as the step that ends there has them.
@@ -40,7 +40,7 @@ class Grid:
     runs: tuple[Run, ...]
     first: NDArray[np.intp]
     time: Array
-    left: NDArray[np.intp]
+    start_node: NDArray[np.intp]
     step: Array
     parameters: Array
     node_inputs: Array

@@ -23,7 +23,10 @@ def integrate(model: Model, grid: Grid, parameters: Array) -> tuple[Array, Array
     """
     count = np.diff(grid.first)
     x = model.initial(parameters, grid)
-    nodes, stages = np.empty((grid.first[-1], x.shape[1])), np.empty((len(grid.left), x.shape[1]))
+    nodes, stages = (
+        np.empty((grid.first[-1], x.shape[1])),
+        np.empty((len(grid.start_node), x.shape[1])),
+    )
     nodes[grid.first[:-1]] = x
     first_step = grid.first[:-1] - np.arange(len(count))
     size = np.maximum(np.abs(x), 1e-3)
@@ -32,7 +35,7 @@ def integrate(model: Model, grid: Grid, parameters: Array) -> tuple[Array, Array
         step = first_step[live] + k
         s, x[live] = _step(model, grid, parameters[live], x[live], step, size[live])
         size = np.maximum(size, np.abs(x))
-        stages[step], nodes[grid.left[step] + 1] = s, x[live]
+        stages[step], nodes[grid.start_node[step] + 1] = s, x[live]
     return nodes, stages
 
 
@@ -45,12 +48,12 @@ def further_nodes(
     """
     x = states[0]
     size = np.maximum(np.ptp(x, axis=0), 1e-3 * np.max(np.abs(x), axis=0)) + 1e-300
-    steps = np.arange(len(grid.left))
-    run = grid.run_of_node[grid.left]
-    middle = x[grid.left]
+    steps = np.arange(len(grid.start_node))
+    run = grid.run_of_node[grid.start_node]
+    middle = x[grid.start_node]
     for half in range(2):
         _, middle = _step(model, _halved(grid, half), parameters[run], middle, steps, size, half)
-    error = np.max(np.abs(middle - x[grid.left + 1]) / size, axis=1)
+    error = np.max(np.abs(middle - x[grid.start_node + 1]) / size, axis=1)
     parts = np.minimum(
         np.ceil((np.nan_to_num(error, nan=1.0) / accuracy) ** 0.25), _MOST_PARTS
     ).astype(int)
@@ -58,7 +61,7 @@ def further_nodes(
     for r in range(len(grid.runs)):
         split_intervals = np.flatnonzero((run == r) & (parts > 1))
         inside = [
-            grid.time[grid.left[k]] + grid.step[k] * np.arange(1, parts[k]) / parts[k]
+            grid.time[grid.start_node[k]] + grid.step[k] * np.arange(1, parts[k]) / parts[k]
             for k in split_intervals.tolist()
         ]
         times.append(np.concatenate([np.zeros(0), *inside]))
@@ -69,9 +72,9 @@ def _halved(grid: Grid, half: int) -> Grid:
     """The grid with half of every step, and inputs between those that it knows: at a third and at the end."""
     u1, u2, d1, d2 = (
         grid.stage_inputs,
-        grid.node_inputs[grid.left + 1],
+        grid.node_inputs[grid.start_node + 1],
         grid.stage_delayed,
-        grid.node_delayed[grid.left + 1],
+        grid.node_delayed[grid.start_node + 1],
     )
     c1, c2 = (STAGE / 2, 0.5) if half == 0 else (0.5 + STAGE / 2, 1.0)
 
@@ -79,7 +82,7 @@ def _halved(grid: Grid, half: int) -> Grid:
         return inner + (c - STAGE) / (1 - STAGE) * (end - inner)
 
     node_u, node_d = grid.node_inputs.copy(), grid.node_delayed.copy()
-    node_u[grid.left + 1], node_d[grid.left + 1] = at(c2, u1, u2), at(c2, d1, d2)
+    node_u[grid.start_node + 1], node_d[grid.start_node + 1] = at(c2, u1, u2), at(c2, d1, d2)
     return replace(
         grid,
         step=grid.step / 2,
@@ -103,10 +106,10 @@ def _step(
     h = grid.step[step][:, None]
     r, n = x.shape
     size = np.broadcast_to(size, x.shape)
-    at = grid.time[grid.left[step]] + offset * h[:, 0]
+    at = grid.time[grid.start_node[step]] + offset * h[:, 0]
     t = np.concatenate([at + STAGE * h[:, 0], at + h[:, 0]])
-    u = np.concatenate([grid.stage_inputs[step], grid.node_inputs[grid.left[step] + 1]])
-    d = np.concatenate([grid.stage_delayed[step], grid.node_delayed[grid.left[step] + 1]])
+    u = np.concatenate([grid.stage_inputs[step], grid.node_inputs[grid.start_node[step] + 1]])
+    d = np.concatenate([grid.stage_delayed[step], grid.node_delayed[grid.start_node[step] + 1]])
     parameters_of_both = np.concatenate([p, p])
     s, y = x.copy(), x.copy()
     eye = np.eye(n)

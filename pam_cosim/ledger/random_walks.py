@@ -18,7 +18,7 @@ def with_walk(problem: SmoothingProblem, matrix: BlockTridiagonal, q: Array) -> 
     """The matrix of the linearised problem with the walks, of noise intensities ``q`` (m,)."""
     if not len(q):
         return matrix
-    n, at = problem.model.states, problem.grid.left
+    n, at = problem.model.states, problem.grid.start_node
     diagonal, coupling = matrix.diagonal.copy(), matrix.coupling.copy()
     run_starts, spans = problem.grid.first[:-1], run_spans(problem.grid)
     for j, intensity in enumerate(q.tolist()):
@@ -37,13 +37,13 @@ def run_spans(grid: Grid) -> Array:
 
 
 def _increments(problem: SmoothingProblem, point: Point) -> Array:
-    at = problem.grid.left
+    at = problem.grid.start_node
     return (point.w[at + 1] - point.w[at]) / problem.unknown_size
 
 
 def walk_gradient(problem: SmoothingProblem, point: Point, q: Array) -> Array:
     """(N, n + m) what the walks add to the gradient."""
-    n, at = problem.model.states, problem.grid.left
+    n, at = problem.model.states, problem.grid.start_node
     gradient = np.zeros((len(point.x), n + len(q)))
     pull = _increments(problem, point) / (q * problem.grid.step[:, None])
     gradient[at + 1, n:] += pull

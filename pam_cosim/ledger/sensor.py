@@ -277,7 +277,7 @@ def _output_slopes(problem: SmoothingProblem, linear: LinearisedProblem) -> Arra
     grid = problem.grid
     n, q = problem.model.states, len(problem.prior)
     states = np.zeros((len(grid.time), n, q))
-    for k, node in enumerate(grid.left.tolist()):
+    for k, node in enumerate(grid.start_node.tolist()):
         states[node + 1] = by_state[k] @ states[node] + by_free[k]
     rows, rows_free = linear.rows
     slopes: Array = np.einsum("nsi,niq->nsq", rows[:, :, :n], states) + rows_free
@@ -288,7 +288,7 @@ def _lagged(grid: Grid, reading_series: Array, lags: Array) -> Array:
     """First-order lags (T,) of columns (N, c), exact for straight lines between the nodes: (T, N, c)."""
     z = grid.step[:, None] / lags
     decay, mean = np.exp(-z)[:, :, None], (-np.expm1(-z) / z)[:, :, None]
-    at = grid.left
+    at = grid.start_node
     drive = (mean - decay) * reading_series[at][:, None] + (1 - mean) * reading_series[at + 1][
         :, None
     ]

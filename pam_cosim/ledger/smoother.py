@@ -153,7 +153,7 @@ def _stepped(
     )
     dx, dw, df = part * dx, part * dw, part * df
     constant, by_left, by_right, by_walk, by_free = linear.stage
-    at = grid.left
+    at = grid.start_node
     ds = -(
         part * constant + products(by_left, dx[at]) + products(by_right, dx[at + 1]) + by_free @ df
     )

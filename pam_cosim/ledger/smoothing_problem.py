@@ -55,9 +55,9 @@ class SmoothingProblem:
     def rates_inside(self, s: Array, p: Array) -> Slopes:
         """Rates inside the steps, with states (M, n) and parameters (M, P)."""
         grid = self.grid
-        time = grid.time[grid.left] + STAGE * grid.step
+        time = grid.time[grid.start_node] + STAGE * grid.step
         slopes = self.model.rates(time, s, grid.stage_inputs, grid.stage_delayed, p)
-        return self._where_they_act(slopes, grid.run_of_node[grid.left])
+        return self._where_they_act(slopes, grid.run_of_node[grid.start_node])
 
     def _where_they_act(self, slopes: Slopes, run: NDArray[np.intp]) -> Slopes:
         return slopes._replace(by_parameter=slopes.by_parameter * self.acts[run][:, None, :])
@@ -115,7 +115,7 @@ def products(matrices: Array, vectors: Array) -> Array:
 def linearise(problem: SmoothingProblem, point: Point, slack: float = SLACK) -> LinearisedProblem:
     """The problem about a point; a step may miss the model by ``slack`` of the range of a state."""
     model, grid = problem.model, problem.grid
-    n, m, at = model.states, model.unknown_inputs, grid.left
+    n, m, at = model.states, model.unknown_inputs, grid.start_node
     p = problem.parameters(point.free)[grid.run_of_node]
     p_stage = p[at].copy()
     p[:, model.unknown_at] = point.w

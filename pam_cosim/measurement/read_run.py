@@ -127,5 +127,5 @@ def layout_of(stated: RecordingTable, columns: Columns, interface: Interface) ->
     """How the file of a run is read, so that the columns that it needs are kept."""
     required = frozenset((TIME, *interface.inputs, *interface.outputs, *sources_of(columns)))
     headings = {n: choice.column for n, choice in columns.items() if isinstance(choice.column, str)}
-    layout = stated.layout(asked=required, clock=clock_of(columns))
+    layout = stated.layout(required=required, clock=clock_of(columns))
     return replace(layout, words=words_of(interface, headings))

@@ -107,7 +107,7 @@ class Layout:
         table: which group, channel group or variable of a file with several.
         ignore: patterns of names of columns that are not read; ``*`` stands for any text.
         missing: of a text, words that stand where a sample is missing, in small letters.
-        asked: names that a pattern with ``*`` does not mean.
+        required: names that a pattern with ``*`` does not mean.
         clock: names, headings or places of the columns of times, in which every number is one; None: not known.
         words: of a text, by column: numbers of the words that it may hold.
     """
@@ -121,7 +121,7 @@ class Layout:
     table: str | None = None
     ignore: tuple[str, ...] = ()
     missing: frozenset[str] = frozenset()
-    asked: frozenset[str] = field(default=frozenset())
+    required: frozenset[str] = field(default=frozenset())
     clock: frozenset[str | int] | None = None
     words: Words = field(default_factory=dict)
 
@@ -129,7 +129,7 @@ class Layout:
         """Whether a column is read."""
         if heading in self.ignore or name in self.ignore:
             return False
-        if heading in self.asked or name in self.asked:
+        if heading in self.required or name in self.required:
             return True
         return not any(
             "*" in p and (fnmatchcase(name, p) or fnmatchcase(heading, p)) for p in self.ignore

@@ -96,8 +96,10 @@ class Variable:
         """What values of this kind are, for messages."""
         if self.items is not None:
             return f"one of {', '.join(self.items)}"
-        whole = "a whole number" + (f" from {self.span[0]} to {self.span[1]}" if self.span else "")
-        names = {"Boolean": "0 or 1 (off, on)", "Integer": whole, "String": "a text"}
+        integers = "a whole number" + (
+            f" from {self.span[0]} to {self.span[1]}" if self.span else ""
+        )
+        names = {"Boolean": "0 or 1 (off, on)", "Integer": integers, "String": "a text"}
         return names.get(self.kind, "a number")
 
 

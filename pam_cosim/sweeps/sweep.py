@@ -193,11 +193,11 @@ def make_sweep(
     return sweep
 
 
-def same(one: Sweep, other: Sweep) -> bool:
+def same(first: Sweep, second: Sweep) -> bool:
     """Whether two sweeps hold the same numbers, to the last bit; NaN is equal to NaN."""
-    equal = np.array_equal(one.table.scalars(), other.table.scalars(), equal_nan=True)
-    equal = equal and one.table.failures() == other.table.failures()
+    equal = np.array_equal(first.table.scalars(), second.table.scalars(), equal_nan=True)
+    equal = equal and first.table.failures() == second.table.failures()
     return equal and all(
-        np.array_equal(one.table.output(i), other.table.output(i), equal_nan=True)
-        for i in range(len(one.outputs))
+        np.array_equal(first.table.output(i), second.table.output(i), equal_nan=True)
+        for i in range(len(first.outputs))
     )
