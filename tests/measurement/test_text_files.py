@@ -113,7 +113,7 @@ def test_a_comma_separates_or_is_decimal_by_what_fits_the_header(tmp_path, text,
 def test_ignored_columns_may_hold_text(tmp_path):
     text = "t;p;remark;aux 1\n0,5;1;ok, fine;-\n1,5;2;;x\n"
     assert written(tmp_path, text, ignore=("remark", "aux*")) == {"t": [0.5, 1.5], "p": [1, 2]}
-    assert written(tmp_path, text, ignore=("*",), asked=frozenset({"p"})) == {"p": [1, 2]}
+    assert written(tmp_path, text, ignore=("*",), required=frozenset({"p"})) == {"p": [1, 2]}
 
 
 # (name, text, stated, line, column, words)
