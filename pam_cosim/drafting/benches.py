@@ -40,7 +40,7 @@ class BenchChoice:
     Attributes:
         inputs, outputs: columns by the bench's names.
         unfed: inputs that no column feeds.
-        others: names of benches that would do as well.
+        alternatives: names of benches that fit as well.
         freer: a bench that reads the lengths that this one imposes; "": there is none, or it imposes none that move.
         cost: the lower, the better it fits.
         roundabout: how far columns are from what is asked for, as a length is from a contraction.
@@ -52,7 +52,7 @@ class BenchChoice:
     inputs: dict[str, RecordedColumn]
     outputs: dict[str, RecordedColumn]
     unfed: tuple[str, ...]
-    others: tuple[str, ...] = ()
+    alternatives: tuple[str, ...] = ()
     freer: str = ""
     cost: float = 0.0
     roundabout: float = 0.0
@@ -96,7 +96,7 @@ def stated_interface(
     model: str | None, tree: ClassTree, describe: Callable[[str], Interface]
 ) -> Interface | None:
     """The interface of the model that the user names; None where there is none, or it is put together from parts."""
-    if model is None or any(one.name == model for one in ports(tree) if one.parts):
+    if model is None or any(bench.name == model for bench in ports(tree) if bench.parts):
         return None
     return describe(model)
 
@@ -104,7 +104,7 @@ def stated_interface(
 def take_bench(
     place: Path,
     name: str,
-    wishes: DraftRequests,
+    requests: DraftRequests,
     interface: Interface | None,
     evidence: Evidence,
     tree: ClassTree,
@@ -115,7 +115,7 @@ def take_bench(
     Args:
         place: the folder that becomes the data set.
         name: of a class that is put together.
-        wishes: what the user says.
+        requests: what the user says.
         interface: of the model that the user names, as ``stated_interface`` has it; a file is copied already.
         evidence: what was recorded.
         tree: the library and the user's files.
@@ -125,37 +125,42 @@ def take_bench(
         InputError: there is no such bench, or none that the recordings feed.
     """
     if interface is not None:
-        if wishes.muscle is not None:
-            message = f"a muscle is named for a bench that is put together, and {wishes.model} is there already"
+        if requests.muscle is not None:
+            message = f"a muscle is named for a bench that is put together, and {requests.model} is there already"
             raise InputError(message)
         fixed = Ports(interface.model, interface.inputs, interface.outputs)
         choice = _choose([fixed], evidence, is_stated=True)
-        copied = Path(str(wishes.model)).name if is_file(str(wishes.model)) else interface.model
+        copied = Path(str(requests.model)).name if is_file(str(requests.model)) else interface.model
         return Bench(choice, copied, interface, "")
     muscles = [part.name for part in rig_parts(tree) if part.role == "muscle"]
-    said = [wishes.muscle] if wishes.muscle else [_label(source) for source in evidence.sources]
-    told, length = ("", "") if wishes.model and not wishes.muscle else muscle_in(said, muscles)
-    muscle = told or wishes.muscle
+    texts = (
+        [requests.muscle] if requests.muscle else [_label(source) for source in evidence.sources]
+    )
+    named_muscle, length = (
+        ("", "") if requests.model and not requests.muscle else muscle_in(texts, muscles)
+    )
+    muscle = named_muscle or requests.muscle
     needed = muscle or _part_with(evidence.stated, tree)
-    ready = [one for one in (_suited(p, evidence.points) for p in ports(tree)) if one is not None]
-    candidates = _candidates(_possible(ready, evidence, tree), wishes.model, needed, evidence)
+    suited = (_suited(bench, evidence.points) for bench in ports(tree))
+    ready = [bench for bench in suited if bench is not None]
+    candidates = _candidates(_possible(ready, evidence, tree), requests.model, needed, evidence)
     choice = _choose(candidates, evidence)
-    why = "" if wishes.model else _why(choice)
+    why = "" if requests.model else _why(choice)
     if not choice.ports.parts:
         return Bench(choice, choice.ports.name, describe(choice.ports.name), why)
     feed, hold = choice.ports.parts
-    outputs = [one for one in choice.ports.outputs if one not in choice.ports.inputs]
-    measure = [one for one in outputs if one in choice.outputs or one in evidence.formulas]
+    outputs = [n for n in choice.ports.outputs if n not in choice.ports.inputs]
+    measure = [n for n in outputs if n in choice.outputs or n in evidence.formulas]
     text = compose_bench(tree, feed, hold, needed, measure, name, evidence.points).text
     (place / f"{name}.mo").write_text(text, encoding="utf-8", newline="\n")
     origin = f"{name}.mo was put together from {choice.ports.name}"
-    if told and not wishes.muscle:
-        origin = f"{origin}, with the muscle {told}, of which the files or their names tell"
+    if named_muscle and not requests.muscle:
+        origin = f"{origin}, with the muscle {named_muscle}, of which the files or their names tell"
     if needed and not muscle:
         origin = f"{origin}, with the muscle {needed}, which has the parameters that are stated"
     why = f"{why}. {origin}" if why else origin
-    made = describe(str(place / f"{name}.mo"))
-    return Bench(choice, f"{name}.mo", made, why, muscle or "", length, True)
+    composed = describe(str(place / f"{name}.mo"))
+    return Bench(choice, f"{name}.mo", composed, why, muscle or "", length, True)
 
 
 def _part_with(stated: Iterable[str], tree: ClassTree) -> str | None:
@@ -178,9 +183,14 @@ def _part_with(stated: Iterable[str], tree: ClassTree) -> str | None:
 
 def _parameters_of(name: str, tree: ClassTree) -> set[str]:
     """Parameters of a class and of its records, by their last names."""
-    own = [c for c in tree.components(name) if "protected" not in c.prefixes]
-    within = (c for one in own if one.type in tree.classes for c in tree.components(one.type))
-    return {c.name for c in (*own, *within)}
+    components = [c for c in tree.components(name) if "protected" not in c.prefixes]
+    within = (
+        c
+        for component in components
+        if component.type in tree.classes
+        for c in tree.components(component.type)
+    )
+    return {c.name for c in (*components, *within)}
 
 
 def _label(source: object) -> str:
@@ -194,12 +204,12 @@ def class_name(folder: Path) -> str:
     return name if name.endswith(_SUFFIX) else f"{name}{_SUFFIX}"
 
 
-def _suited(one: Ports, points: bool) -> Ports | None:
+def _suited(bench: Ports, points: bool) -> Ports | None:
     """A bench for such recordings: of points at rest it has a direction, of others it has none; None: not suited."""
-    if one.parts and points:
+    if bench.parts and points:
         branch = Variable(BRANCH, "1", "Direction of the branch")
-        return replace(one, inputs={**one.inputs, BRANCH: branch})
-    return one if (BRANCH in one.inputs) == points else None
+        return replace(bench, inputs={**bench.inputs, BRANCH: branch})
+    return bench if (BRANCH in bench.inputs) == points else None
 
 
 def _candidates(
@@ -207,12 +217,12 @@ def _candidates(
 ) -> list[Ports]:
     """The benches among which the recordings choose; only one that is put together can have another muscle."""
     if model is not None:
-        return [one for one in ready if one.parts and one.name == model]
-    chosen = [one for one in ready if one.parts or muscle is None]
+        return [bench for bench in ready if bench.parts and bench.name == model]
+    chosen = [bench for bench in ready if bench.parts or muscle is None]
     if not evidence.points:
         return chosen
     # A row says what acts on the muscle: a table tells no mass, spring or lever.
-    return [one for one in chosen if _mechanical(one.inputs, evidence.headings)]
+    return [bench for bench in chosen if _mechanical(bench.inputs, evidence.headings)]
 
 
 def _possible(ready: Sequence[Ports], evidence: Evidence, tree: ClassTree) -> list[Ports]:
@@ -220,11 +230,11 @@ def _possible(ready: Sequence[Ports], evidence: Evidence, tree: ClassTree) -> li
     if not any(c.of("pressure") and _empties(c) for c in evidence.columns):
         return list(ready)
     return [
-        one
-        for one in ready
-        if one.parts
-        or one.inputs
-        or any(c.type.rpartition(".")[2] == "Atmosphere" for c in tree.components(one.name))
+        bench
+        for bench in ready
+        if bench.parts
+        or bench.inputs
+        or any(c.type.rpartition(".")[2] == "Atmosphere" for c in tree.components(bench.name))
     ]
 
 
@@ -240,9 +250,9 @@ def _empties(column: RecordedColumn) -> bool:
 
 
 def _why(choice: BenchChoice) -> str:
-    fed = listed(f"{one} = {column.name}" for one, column in choice.fed.items())
+    fed = listed(f"{name} = {column.name}" for name, column in choice.fed.items())
     why = f"guessed: the bench, because it takes and shows what was recorded: {fed}"
-    return f"{why}. Others would do: {listed(choice.others)}" if choice.others else why
+    return f"{why}. Others would do: {listed(choice.alternatives)}" if choice.alternatives else why
 
 
 # ---- which bench the recordings can feed, and by which column each of its inputs and outputs -------------------------
@@ -256,7 +266,7 @@ def _choose(
     Raises:
         InputError: no bench has the names that the user says, or none can be fed.
     """
-    choices = [_fed(one, evidence, is_stated) for one in _having(candidates, evidence)]
+    choices = [_fed(bench, evidence, is_stated) for bench in _having(candidates, evidence)]
     order = sorted(choices, key=lambda c: (c.cost, c.ports.rank, c.roundabout, c.unread))
     best = order[0]
     if not (best.measured if is_stated else best.driven):
@@ -264,13 +274,15 @@ def _choose(
     as_good = [c for c in order[1:] if c.cost <= best.cost]
     moving = {column.name for column in best.moving_lengths.values()}
     freer = [c for c in order[1:] if moving and _lets_go(c, best, moving)]
-    others = dict.fromkeys(c.ports.name for c in (*freer[:1], *as_good))
+    alternatives = dict.fromkeys(c.ports.name for c in (*freer[:1], *as_good))
     inputs, outputs = (
         {n: _with_rivals(c, evidence, best, n) for n, c in side.items()}
         for side in (best.inputs, best.outputs)
     )
     freest = freer[0].ports.name if freer else ""
-    return replace(best, inputs=inputs, outputs=outputs, others=tuple(others)[:3], freer=freest)
+    return replace(
+        best, inputs=inputs, outputs=outputs, alternatives=tuple(alternatives)[:3], freer=freest
+    )
 
 
 def _lets_go(other: BenchChoice, best: BenchChoice, moving: set[str]) -> bool:
@@ -286,56 +298,58 @@ def _having(candidates: Sequence[Ports], evidence: Evidence) -> list[Ports]:
     Raises:
         InputError: there is none.
     """
-    named = [name for name in (*evidence.asked, *evidence.formulas) if name != "time"]
+    named = [name for name in (*evidence.requested, *evidence.formulas) if name != "time"]
     inputs = [
         n
-        for n in dict.fromkeys([*evidence.stated, *(n for o in evidence.own for n in o)])
+        for n in dict.fromkeys([*evidence.stated, *(n for o in evidence.run_parameters for n in o)])
         if "." not in n
     ]
-    able = [one for one in candidates if {*named} <= {*one.inputs, *one.outputs}]
-    fixed = [one for one in able if {*inputs} <= {*one.inputs}]
+    able = [bench for bench in candidates if {*named} <= {*bench.inputs, *bench.outputs}]
+    fixed = [bench for bench in able if {*inputs} <= {*bench.inputs}]
     if fixed or (able and len(candidates) == 1):
         return fixed or able  # a model that the user states may have parameters without a dot
-    said = [*named, *inputs]
-    known = dict.fromkeys(name for one in candidates for name in (*one.inputs, *one.outputs))
-    unknown = [name for name in said if name not in known]
-    name = next(iter([*unknown, *said]), "")
+    stated = [*named, *inputs]
+    variables = dict.fromkeys(
+        name for bench in candidates for name in (*bench.inputs, *bench.outputs)
+    )
+    unknown = [name for name in stated if name not in variables]
+    name = next(iter([*unknown, *stated]), "")
     beside = "" if unknown or not able else f" beside {listed(named)}"
     raise InputError(
-        f"no bench has an input or output {shown(name)}{beside}; {did_you_mean(name, known)}"
+        f"no bench has an input or output {shown(name)}{beside}; {did_you_mean(name, variables)}"
     )
 
 
-def _fed(one: Ports, evidence: Evidence, is_stated: bool) -> BenchChoice:
+def _fed(bench: Ports, evidence: Evidence, is_stated: bool) -> BenchChoice:
     """A bench with the columns that feed it best, and what that costs."""
     headings, runs = evidence.headings, len(evidence.sources)
     reserved = used_in(evidence)  # by formulas of the user
     signals = [c for c in evidence.signals if c.name not in reserved]
-    whole = [c for c in signals if len(c.values) == runs and c.whole]
-    inputs, far_inputs = _assign(one.inputs, whole, evidence)
-    readable = _readable(one, headings)
-    left = [c for c in signals if c not in inputs.values()]
-    outputs, far_outputs = _assign(readable, left, evidence)
+    complete = [c for c in signals if len(c.values) == runs and c.is_complete]
+    inputs, far_inputs = _assign(bench.inputs, complete, evidence)
+    readable = _readable(bench, headings)
+    remaining = [c for c in signals if c not in inputs.values()]
+    outputs, far_outputs = _assign(readable, remaining, evidence)
     used = [*inputs.values(), *outputs.values()]
-    said = {*evidence.stated}.union(*evidence.own)
-    fed = {*inputs, *evidence.formulas, *(said & one.inputs.keys())}
-    unfed = tuple(name for name in one.inputs if name not in fed and name != BRANCH)
+    stated = {*evidence.stated}.union(*evidence.run_parameters)
+    fed = {*inputs, *evidence.formulas, *(stated & bench.inputs.keys())}
+    unfed = tuple(name for name in bench.inputs if name not in fed and name != BRANCH)
     measured = {*outputs, *evidence.formulas} & readable.keys()
     passing = headings.with_trait("unused")
     unused = [c for c in signals if c not in used and c.kind not in passing]
-    driving = [n for n, v in one.inputs.items() if _drives(headings.variable(v))]
+    driving = [n for n, v in bench.inputs.items() if _drives(headings.variable(v))]
     # A bench without such inputs runs by itself: where more was recorded than it shows, something drove it.
     driven = any(n in fed for n in driving) if driving else not unused
-    known = [c.meaning for c in used]
-    mechanical = _mechanical({**one.inputs, **readable}, headings)
+    meanings = [c.meaning for c in used]
+    mechanical = _mechanical({**bench.inputs, **readable}, headings)
     bodiless = bool(mechanical) and not mechanical & {*fed, *measured}
-    cost = _UNUSED * len([c for c in unused if c.meaning not in known]) + _UNFED * len(unfed)
+    cost = _UNUSED * len([c for c in unused if c.meaning not in meanings]) + _UNFED * len(unfed)
     cost += _UNDRIVEN * ((not driven) + 2 * (not measured)) + _BODILESS * bodiless
     cost += _UNLIKELY * _unlikely(inputs, outputs)
     cost -= _NAMED * sum(name == column.name for name, column in inputs.items())
-    cost += _ISOMETRIC * _must_be_fixed(one, used, headings)
+    cost += _ISOMETRIC * _must_be_fixed(bench, used, headings)
     return BenchChoice(
-        one,
+        bench,
         inputs,
         outputs,
         unfed,
@@ -350,15 +364,15 @@ def _fed(one: Ports, evidence: Evidence, is_stated: bool) -> BenchChoice:
 def _mechanical(variables: Mapping[str, Variable], headings: Headings) -> set[str]:
     """Those that are of a length or a force."""
     kinds = {name: headings.variable(v) for name, v in variables.items()}
-    return {name for name, one in kinds.items() if one is not None and one.kind in MECHANICAL}
+    return {n for n, meaning in kinds.items() if meaning is not None and meaning.kind in MECHANICAL}
 
 
-def _readable(one: Ports, headings: Headings) -> dict[str, Variable]:
+def _readable(bench: Ports, headings: Headings) -> dict[str, Variable]:
     """Outputs that a recording can show; what a composed bench imposes, it does not measure besides."""
-    if not one.parts:
-        return dict(one.outputs)
-    imposed = {headings.variable(variable) for variable in one.inputs.values()}
-    return {n: v for n, v in one.outputs.items() if headings.variable(v) not in imposed}
+    if not bench.parts:
+        return dict(bench.outputs)
+    imposed = {headings.variable(variable) for variable in bench.inputs.values()}
+    return {n: v for n, v in bench.outputs.items() if headings.variable(v) not in imposed}
 
 
 def _drives(meaning: Meaning | None) -> bool:
@@ -371,16 +385,16 @@ def _assign(
 ) -> tuple[dict[str, RecordedColumn], float]:
     """The best column for each variable, and how far round about that is; stated ones first."""
     headings, by_name = evidence.headings, {c.name: c for c in evidence.columns}
-    asked = {n: by_name[evidence.asked[n]] for n in variables if n in evidence.asked}
-    taken = {n: _as_variable(column, variables[n], headings) for n, column in asked.items()}
-    reserved = set(evidence.asked.values())
+    requested = {n: by_name[evidence.requested[n]] for n in variables if n in evidence.requested}
+    taken = {n: _as_variable(column, variables[n], headings) for n, column in requested.items()}
+    reserved = set(evidence.requested.values())
     cost = 0.0
     for name, variable in variables.items():
         meaning = headings.variable(variable)
         if name in taken or meaning is None or name in evidence.formulas:
             continue
-        left = [c for c in columns if c not in taken.values() and c.name not in reserved]
-        distance, column = _nearest(name, meaning, left)
+        remaining = [c for c in columns if c not in taken.values() and c.name not in reserved]
+        distance, column = _nearest(name, meaning, remaining)
         if column is not None:
             taken[name], cost = column, cost + distance
     return taken, cost
@@ -388,7 +402,7 @@ def _assign(
 
 def _as_variable(column: RecordedColumn, variable: Variable, headings: Headings) -> RecordedColumn:
     """A column that is a variable because the user says so; a unit of another kind is never guessed."""
-    written = any(one.unit.strip() for one in column.places.values())
+    written = any(place.unit.strip() for place in column.places.values())
     if written or column.unknown or (column.unit and not column.why):
         return column
     bare, meaning = replace(column, unit="", why=()), headings.variable(variable)
@@ -419,18 +433,24 @@ def _nearest(
         return 0.0, None
     rivals = [column for distance, column in distances if distance == least]
     rank = [
-        (one.name != name, not one.moves, -one.known, -_span_in(rivals[0].unit, one), i)
-        for i, one in enumerate(rivals)
+        (
+            rival.name != name,
+            not rival.moves,
+            -rival.known_share,
+            -_span_in(rivals[0].unit, rival),
+            i,
+        )
+        for i, rival in enumerate(rivals)
     ]
     return least, rivals[min(rank)[-1]]
 
 
 def _span_in(unit: str, column: RecordedColumn) -> float:
     """How far a column goes, in that unit where it can be: of two, the one that moves more is the muscle's."""
-    own = span(column.every)
+    extent = span(column.samples)
     with suppress(UnitError):
-        return float(convert(own, column.unit, unit, difference=True))
-    return own
+        return float(convert(extent, column.unit, unit, difference=True))
+    return extent
 
 
 def _distance(column: Meaning | None, variable: Meaning) -> float | None:
@@ -472,10 +492,10 @@ def _follows(column: RecordedColumn, pressure: RecordedColumn | None) -> bool:
     return abs(correlation(pressure.values, column.values)) >= LEAST_CORRELATION
 
 
-def _must_be_fixed(one: Ports, used: Sequence[RecordedColumn], headings: Headings) -> bool:
+def _must_be_fixed(bench: Ports, used: Sequence[RecordedColumn], headings: Headings) -> bool:
     """Whether a pull changes while nobody reads a length: then it is fixed, and a bench that lets it go is none."""
     pulls = [c for c in used if c.of("force") and not c.held]
-    imposed = [headings.variable(variable) for variable in one.inputs.values()]
+    imposed = [headings.variable(variable) for variable in bench.inputs.values()]
     kinds = {c.kind for c in used} | {meaning.kind for meaning in imposed if meaning}
     return bool(pulls) and not kinds & set(LENGTHS)
 
@@ -488,7 +508,7 @@ def _with_rivals(
     rivals = [
         c.name for c in evidence.columns if c.meaning == column.meaning and c.name not in taken
     ]
-    if not rivals or name in evidence.asked:
+    if not rivals or name in evidence.requested:
         return column
     return column.because(
         f"it is named best or moves most; {listed(map(shown, rivals))} could be it too"
@@ -496,31 +516,31 @@ def _with_rivals(
 
 
 def _nothing_fits(nearest: BenchChoice, evidence: Evidence) -> str:
-    left = [c for c in evidence.columns if not c.of("time")]
-    known = [f"{c.name} ({c.meaning})" for c in left if c.meaning is not None]
-    example = _example(nearest, [c for c in left if c.values], evidence)
+    columns = [c for c in evidence.columns if not c.of("time")]
+    recognised = [f"{c.name} ({c.meaning})" for c in columns if c.meaning is not None]
+    example = _example(nearest, [c for c in columns if c.values], evidence)
     hint = f"say what columns are{example}, or the bench, --model NAME ('pam-cosim bench --list')"
-    if not known:
-        why = {"; ".join(c.why) for c in left if not c.values}
+    if not recognised:
+        why = {"; ".join(c.why) for c in columns if not c.values}
         because = f" ({listed(why)})" if why else ""
-        return f"no column is recognised among {listed(c.name for c in left)}{because}; {hint}"
+        return f"no column is recognised among {listed(c.name for c in columns)}{because}; {hint}"
     lacks = f"the inputs {listed(nearest.unfed)}" if nearest.unfed else "a measured output"
     if nearest.measured and not nearest.unfed:
         over = listed(
             c.name
-            for c in left
+            for c in columns
             if c.meaning and c.name not in {f.name for f in nearest.fed.values()}
         )
         lacks = f"what {over} may have driven; leave that out, --recording 'ignore={over.split(', ')[0]}'"
-    said = f"what is recognised, {listed(known)}, feeds no bench; the nearest, {nearest.ports.name}, lacks {lacks}"
-    return f"{said}; {hint}"
+    message = f"what is recognised, {listed(recognised)}, feeds no bench"
+    return f"{message}; the nearest, {nearest.ports.name}, lacks {lacks}; {hint}"
 
 
 def _example(nearest: BenchChoice, filled: Sequence[RecordedColumn], evidence: Evidence) -> str:
     """How to say what a column is: one that there is, for a variable of the nearest bench that it may be; else ""."""
-    taken = {one.name for one in nearest.fed.values()}
+    taken = {c.name for c in nearest.fed.values()}
     variables = {**nearest.ports.inputs, **nearest.ports.outputs}
-    for name in (n for n in variables if n not in {*nearest.fed, *evidence.asked}):
+    for name in (n for n in variables if n not in {*nearest.fed, *evidence.requested}):
         meaning = evidence.headings.variable(variables[name])
         for column in (c for c in filled if c.name not in taken):
             fits = not column.unit or alike(column.unit, variables[name].unit)

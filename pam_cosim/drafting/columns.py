@@ -60,7 +60,7 @@ class RecordedColumn:
         unknown: the unit that the file states, where nobody knows it; else "".
         meaning: None: nobody knows.
         why: what ``meaning`` and ``unit`` were guessed from, in sentences without a subject.
-        known: share of its words that are known.
+        known_share: share of its words that are known.
         values: numbers in its unit by the number of the recording.
         points: the recordings are points at rest, whose rows have no pace.
         words: of a direction that is told in words: what its numbers are places of.
@@ -77,7 +77,7 @@ class RecordedColumn:
     why: tuple[str, ...] = ()
     unknown: str = ""
     absolute: bool = False
-    known: float = 0.0
+    known_share: float = 0.0
     places: dict[int, Column] = field(default_factory=dict)
     points: bool = False
     words: tuple[str, ...] = ()
@@ -107,14 +107,14 @@ class RecordedColumn:
         return next((column.since for column in self.places.values()), "")
 
     @cached_property
-    def every(self) -> Array:
+    def samples(self) -> Array:
         """All its numbers."""
         return np.concatenate([*self.values.values(), np.empty(0)])
 
     @cached_property
     def largest(self) -> float:
         """Largest magnitude of its numbers."""
-        return float(np.nanmax(np.abs(self.every))) if np.isfinite(self.every).any() else 0.0
+        return float(np.nanmax(np.abs(self.samples))) if np.isfinite(self.samples).any() else 0.0
 
     @cached_property
     def held(self) -> bool:
@@ -123,24 +123,24 @@ class RecordedColumn:
         Of points at rest, it takes few values.
         """
         if self.points:
-            return all(levels(one[np.isfinite(one)]) is not None for one in self.values.values())
-        whole = span(self.every)
-        own = max(span(one) for one in self.values.values())
-        if whole == 0.0 or own <= IMPOSED_RANGE * whole:
+            return all(levels(v[np.isfinite(v)]) is not None for v in self.values.values())
+        total_span = span(self.samples)
+        run_span = max(map(span, self.values.values()))
+        if total_span == 0.0 or run_span <= IMPOSED_RANGE * total_span:
             return True
-        return all(is_held(one) or is_constant(one) for one in self.values.values())
+        return all(is_held(v) or is_constant(v) for v in self.values.values())
 
     @cached_property
     def moves(self) -> bool:
         """It is more than noise about one value."""
         if self.points:
-            return span(self.every) > 0.0
-        return not all(is_constant(one) for one in self.values.values())
+            return span(self.samples) > 0.0
+        return not all(is_constant(v) for v in self.values.values())
 
     @cached_property
-    def whole(self) -> bool:
+    def is_complete(self) -> bool:
         """It lacks so few samples that it may be meant as an input."""
-        return self.logged_on_change or float(np.mean(np.isnan(self.every))) <= EMPTY_SHARE
+        return self.logged_on_change or float(np.mean(np.isnan(self.samples))) <= EMPTY_SHARE
 
     def of(self, kind: str, *roles: str) -> bool:
         """Whether it is of a kind, with just these roles."""
@@ -182,14 +182,14 @@ def find_columns(
     if any(c.of("time") for c in columns):
         columns = [_kept(c) if _is_logged_on_change(c) else c for c in columns]
     _check_alike([c for c in columns if c.name not in stated], sources)
-    for one in columns:
-        lacking = _lacks_unit(one) and one.name not in in_formulas
-        wrong = _unknown(one, headings) if lacking else ""
-        if not wrong and one.name not in {*stated, *in_formulas}:
-            wrong = _contradicts(one, headings)
+    for column in columns:
+        lacking = _lacks_unit(column) and column.name not in in_formulas
+        wrong = _unknown(column, headings) if lacking else ""
+        if not wrong and column.name not in {*stated, *in_formulas}:
+            wrong = _contradicts(column, headings)
         if wrong:
-            source = sources[min(one.places)]
-            raise InputError(wrong, source.file, source.table.header_line, one.name)
+            source = sources[min(column.places)]
+            raise InputError(wrong, source.file, source.table.header_line, column.name)
     columns = [
         replace(c, meaning=None)
         if _lacks_unit(c) or (c.name in in_formulas and _contradicts(c, headings))
@@ -205,7 +205,7 @@ def _found(name: str, sources: Sequence[Source], headings: Headings) -> Recorded
     if any(column.unit != first.unit for column in places.values()):
         raise _two_units(name, places, sources)
     reading = _reading(name, first.unit, [column.values for column in places.values()], headings)
-    one = RecordedColumn(
+    recorded = RecordedColumn(
         name,
         reading.unit,
         reading.written,
@@ -213,26 +213,26 @@ def _found(name: str, sources: Sequence[Source], headings: Headings) -> Recorded
         {i: column.values for i, column in places.items() if np.isfinite(column.values).any()},
         unknown=reading.unknown,
         absolute=reading.absolute,
-        known=reading.known,
+        known_share=reading.known_share,
         places=places,
     )
-    if not one.values:
+    if not recorded.values:
         rows = sum(len(column.values) for column in places.values())
-        return one.because(f"it has no value in any of {rows} rows", meaning=None)
+        return recorded.because(f"it has no value in any of {rows} rows", meaning=None)
     if UNNAMED.fullmatch(name):
-        return one.because("it has no name, as an index of rows", meaning=None)
+        return recorded.because("it has no name, as an index of rows", meaning=None)
     words = next((w for s in sources if (w := s.words.get(name) or s.words.get(first.heading))), ())
     if words:
-        return replace(one, meaning=Meaning("direction"), words=words, unit="", stated=True)
-    if one.meaning is None:
-        return one
-    if reading.known == 0.0:
-        one = one.because(f"its unit is {reading.unit}")
-    if one.unknown and one.kind not in ("command", "ratio"):
-        return one
+        return replace(recorded, meaning=Meaning("direction"), words=words, unit="", stated=True)
+    if recorded.meaning is None:
+        return recorded
+    if reading.known_share == 0.0:
+        recorded = recorded.because(f"its unit is {reading.unit}")
+    if recorded.unknown and recorded.kind not in ("command", "ratio"):
+        return recorded
     if not reading.unit:
-        return with_usual_unit(one, headings)
-    return one if one.stated else one.because(f"unit {reading.unit} by its name")
+        return with_usual_unit(recorded, headings)
+    return recorded if recorded.stated else recorded.because(f"unit {reading.unit} by its name")
 
 
 def _reading(name: str, unit: str, recorded: Sequence[Array], headings: Headings) -> Heading:
@@ -245,26 +245,32 @@ def _reading(name: str, unit: str, recorded: Sequence[Array], headings: Headings
     return headings.read(name, unit)
 
 
-def with_usual_unit(one: RecordedColumn, headings: Headings) -> RecordedColumn:
+def with_usual_unit(column: RecordedColumn, headings: Headings) -> RecordedColumn:
     """A column without a unit, which its numbers suggest."""
-    assert one.meaning is not None
-    if one.kind == "current" and is_switch(one.every) and one.largest <= _LARGEST_COMMAND:
-        one = one.because("it has two values", meaning=Meaning("command", one.meaning.roles))
-    if one.kind == "time":
-        return one
-    if one.kind in ("voltage", "angle"):
-        return replace(one, meaning=None)
-    if one.of("pressure") and is_switch(one.every):
-        return one.because("it has two values, as a switch has", meaning=None)
-    unit = headings.usual_unit(str(one.meaning), one.largest)
+    assert column.meaning is not None
+    if (
+        column.kind == "current"
+        and is_switch(column.samples)
+        and column.largest <= _LARGEST_COMMAND
+    ):
+        column = column.because(
+            "it has two values", meaning=Meaning("command", column.meaning.roles)
+        )
+    if column.kind == "time":
+        return column
+    if column.kind in ("voltage", "angle"):
+        return replace(column, meaning=None)
+    if column.of("pressure") and is_switch(column.samples):
+        return column.because("it has two values, as a switch has", meaning=None)
+    unit = headings.usual_unit(str(column.meaning), column.largest)
     if unit is None:
-        is_command = one.kind == "command" and one.largest > _LARGEST_COMMAND
-        return replace(one, unknown="counts") if is_command else one
-    if not unit and is_switch(one.every) and one.largest == 1.0:
-        return one  # nothing to guess
+        is_command = column.kind == "command" and column.largest > _LARGEST_COMMAND
+        return replace(column, unknown="counts") if is_command else column
+    if not unit and is_switch(column.samples) and column.largest == 1.0:
+        return column  # nothing to guess
     taken = unit or "shares of one"
-    return one.because(
-        f"{NO_UNIT}; numbers up to {one.largest:.4g} are taken as {taken}", unit=unit
+    return column.because(
+        f"{NO_UNIT}; numbers up to {column.largest:.4g} are taken as {taken}", unit=unit
     )
 
 
@@ -276,27 +282,27 @@ def _two_units(name: str, places: Mapping[int, Column], sources: Sequence[Source
     return InputError(f"{message}; draft data sets of their own", sources[other].file, None, name)
 
 
-def _lacks_unit(one: RecordedColumn) -> bool:
+def _lacks_unit(column: RecordedColumn) -> bool:
     """Whether the unit that is written is none, and its numbers need one: a command that is on or off needs none."""
-    if not one.unknown or one.unit or one.meaning is None:
+    if not column.unknown or column.unit or column.meaning is None:
         return False
-    shares = is_count(one.unknown) if one.kind in ("command", "ratio") else True
-    return shares and one.kind not in ("count", "direction")
+    shares = is_count(column.unknown) if column.kind in ("command", "ratio") else True
+    return shares and column.kind not in ("count", "direction")
 
 
-def _unknown(one: RecordedColumn, headings: Headings) -> str:
-    left_out = f"or leave it out: --recording 'ignore={one.name}'"
-    signal, step = _SCALES.get(one.kind, ("x", "0.02 mm"))
-    if one.meaning is not None and "exhaust" in one.meaning.roles:
+def _unknown(column: RecordedColumn, headings: Headings) -> str:
+    left_out = f"or leave it out: --recording 'ignore={column.name}'"
+    signal, step = _SCALES.get(column.kind, ("x", "0.02 mm"))
+    if column.meaning is not None and "exhaust" in column.meaning.roles:
         signal = "u_out"
-    scaled = f"scale it, as in --column {scaling(signal, one.name, step)}"
-    if is_count(one.unknown):
-        return f"how large its {one.unknown} are is not said; {scaled}, {left_out}"
+    scaled = f"scale it, as in --column {scaling(signal, column.name, step)}"
+    if is_count(column.unknown):
+        return f"how large its {column.unknown} are is not said; {scaled}, {left_out}"
     correct = "correct it in the file"
-    if headings.scaled_unit(one.name) != one.unknown:
-        return f"unit {shown(one.unknown)} is unknown; {correct}, {left_out}"
-    more = "" if one.kind == "time" else f"{scaled}, "
-    return f"its unit {shown(one.unknown)} has a factor, which is not read; {correct}, {more}{left_out}"
+    if headings.scaled_unit(column.name) != column.unknown:
+        return f"unit {shown(column.unknown)} is unknown; {correct}, {left_out}"
+    more = "" if column.kind == "time" else f"{scaled}, "
+    return f"its unit {shown(column.unknown)} has a factor, which is not read; {correct}, {more}{left_out}"
 
 
 def scaling(signal: str, name: str, step: str, less: str = "") -> str:
@@ -306,29 +312,31 @@ def scaling(signal: str, name: str, step: str, less: str = "") -> str:
     return f"'{formula}'" if term == name else '"' + formula.replace('"', '\\"') + '"'
 
 
-def _contradicts(one: RecordedColumn, headings: Headings) -> str:
+def _contradicts(column: RecordedColumn, headings: Headings) -> str:
     """What to say of a column whose unit is of another quantity than its name says; "" where they agree."""
-    written = next((column.unit for column in one.places.values()), "")
+    written = next((place.unit for place in column.places.values()), "")
     unit = known_unit(written)
-    said = headings.contradiction(one.name, unit) if unit and one.values else ""
-    if not said:
+    contradiction = headings.contradiction(column.name, unit) if unit and column.values else ""
+    if not contradiction:
         return ""
-    scaled = scaling("p", one.name, "0.5 bar/mA", ' - "4 mA"')
+    scaled = scaling("p", column.name, "0.5 bar/mA", ' - "4 mA"')
     scale = f"scale the signal, as in --column {scaled}, " if headings.fits(unit, "current") else ""
-    hint = f"--recording 'ignore={one.name}', or say what it is: --column NAME={shown(one.name)}"
-    return f"{said}; correct the heading, {scale}leave it out: {hint}"
+    hint = (
+        f"--recording 'ignore={column.name}', or say what it is: --column NAME={shown(column.name)}"
+    )
+    return f"{contradiction}; correct the heading, {scale}leave it out: {hint}"
 
 
 def _check_alike(columns: Sequence[RecordedColumn], sources: Sequence[Source]) -> None:
     """Raises InputError where recordings call the same quantity by different names: one would be lost."""
-    for one in columns:
-        for other in columns:
-            alike = one.kind not in ("", "time") and one.meaning == other.meaning
-            if alike and not one.values.keys() & other.values.keys():
-                there, here = sources[min(one.values)].file.name, sources[min(other.values)].file
-                message = f"{there} calls the {one.meaning} {shown(one.name)}"
+    for first in columns:
+        for second in columns:
+            alike = first.kind not in ("", "time") and first.meaning == second.meaning
+            if alike and not first.values.keys() & second.values.keys():
+                there, here = sources[min(first.values)].file.name, sources[min(second.values)].file
+                message = f"{there} calls the {first.meaning} {shown(first.name)}"
                 message = f"{message}; files of one kind are drafted together"
-                raise InputError(message, here, None, other.name)
+                raise InputError(message, here, None, second.name)
 
 
 def _supply(columns: list[RecordedColumn]) -> list[RecordedColumn]:
@@ -341,36 +349,38 @@ def _supply(columns: list[RecordedColumn]) -> list[RecordedColumn]:
     supplies = [c for c in columns if c.of("pressure", "supply")]
     plain = [c for c in columns if c.of("pressure")]
     if supplies and not plain and not any(c.of("pressure", "set") for c in columns):
-        own = max(supplies, key=lambda c: span(c.every))
-        if len(supplies) > 1 or not _varies_little(own.every):
+        largest = max(supplies, key=lambda c: span(c.samples))
+        if len(supplies) > 1 or not _varies_little(largest.samples):
             why = "no other pressure was recorded that moves so"
-            return [c.because(why, meaning=meant("pressure")) if c is own else c for c in columns]
+            return [
+                c.because(why, meaning=meant("pressure")) if c is largest else c for c in columns
+            ]
     if len(plain) != 2 or supplies or plain[0].values.keys() != plain[1].values.keys():
         return columns
-    for one, other in (plain, plain[::-1]):
+    for first, second in (plain, plain[::-1]):
         role = why = ""
-        if one.unit and one.unit == other.unit and _feeds(one.every, other.every):
-            role, why = "supply", f"it stays above '{other.name}' and varies little"
-        elif one.unit and one.unit == other.unit and _leads(one, other):
-            role, why = "set", f"it steps and stays, and '{other.name}' follows it"
+        if first.unit and first.unit == second.unit and _feeds(first.samples, second.samples):
+            role, why = "supply", f"it stays above '{second.name}' and varies little"
+        elif first.unit and first.unit == second.unit and _leads(first, second):
+            role, why = "set", f"it steps and stays, and '{second.name}' follows it"
         if role:
-            made = one.because(why, meaning=meant("pressure", role))
-            return [made if c is one else c for c in columns]
+            changed = first.because(why, meaning=meant("pressure", role))
+            return [changed if c is first else c for c in columns]
     return columns
 
 
-def _leads(one: RecordedColumn, other: RecordedColumn) -> bool:
+def _leads(first: RecordedColumn, second: RecordedColumn) -> bool:
     """Whether a pressure without noise steps and stays, and another one with noise goes where it is."""
-    steps = all(is_held(v) and is_repeated(v) for v in one.values.values())
-    follows = correlation(one.values, other.values) > LEAST_CORRELATION
-    return steps and follows and not all(map(is_repeated, other.values.values()))
+    steps = all(is_held(v) and is_repeated(v) for v in first.values.values())
+    follows = correlation(first.values, second.values) > LEAST_CORRELATION
+    return steps and follows and not all(map(is_repeated, second.values.values()))
 
 
-def _feeds(one: Array, other: Array) -> bool:
+def _feeds(first: Array, second: Array) -> bool:
     """Whether one pressure stays above another and varies little."""
-    steady = float(np.nanmin(one)) > 0.0 and _varies_little(one)
-    mostly_above = float(np.mean(one >= other)) > CRITERIA.noise.stepwise
-    return steady and mostly_above and span(other) > span(one)
+    steady = float(np.nanmin(first)) > 0.0 and _varies_little(first)
+    mostly_above = float(np.mean(first >= second)) > CRITERIA.noise.stepwise
+    return steady and mostly_above and span(second) > span(first)
 
 
 def _varies_little(values: Array) -> bool:
@@ -387,9 +397,9 @@ def _valves(columns: list[RecordedColumn], stated: set[str]) -> list[RecordedCol
         if len(of_kind) > 2:
             continue
         taken = {role for c in of_kind if c.meaning for role in c.meaning.roles}
-        left = [role for role in ("inlet", "exhaust") if role not in taken]
+        free_roles = [role for role in ("inlet", "exhaust") if role not in taken]
         plain = [c.name for c in of_kind if c.meaning and not c.meaning.roles]
-        roles, alone = dict(zip(plain, left, strict=False)), len(of_kind) == 1
+        roles, alone = dict(zip(plain, free_roles, strict=False)), len(of_kind) == 1
         columns = [
             c.because(_why_valve(roles[c.name], alone), meaning=meant(kind, roles[c.name]))
             if c.name in roles and c.kind == kind
@@ -423,22 +433,22 @@ def _signed(columns: list[RecordedColumn], stated: set[str]) -> list[RecordedCol
     ):
         return columns
     change = {i: np.gradient(values) for i, values in pressure.values.items() if len(values) > 2}
-    for one in (c for c in rivals if c.name not in stated):
-        low, high = np.nanmin(one.every, initial=0.0), np.nanmax(one.every, initial=0.0)
-        both = -low > IMPOSED_RANGE * high > 0.0 and high > IMPOSED_RANGE * -low
-        if both and correlation(one.values, change) > _LEAST_SIGNED:
-            halves = [_half(one, role, sign) for role, sign in (("inlet", 1), ("exhaust", -1))]
-            return [half for c in columns for half in (halves if c is one else [c])]
+    for column in (c for c in rivals if c.name not in stated):
+        low, high = np.nanmin(column.samples, initial=0.0), np.nanmax(column.samples, initial=0.0)
+        is_signed = -low > IMPOSED_RANGE * high > 0.0 and high > IMPOSED_RANGE * -low
+        if is_signed and correlation(column.values, change) > _LEAST_SIGNED:
+            halves = [_half(column, role, sign) for role, sign in (("inlet", 1), ("exhaust", -1))]
+            return [half for c in columns for half in (halves if c is column else [c])]
     return columns
 
 
-def _half(one: RecordedColumn, role: str, sign: int) -> RecordedColumn:
+def _half(column: RecordedColumn, role: str, sign: int) -> RecordedColumn:
     """The part of a signed command that is one valve's."""
-    values = {i: np.clip(sign * v, 0.0, None) for i, v in one.values.items()}
-    formula = f"(abs('{one.name}') {'+' if sign > 0 else '-'} '{one.name}') / 2"
+    values = {i: np.clip(sign * v, 0.0, None) for i, v in column.values.items()}
+    formula = f"(abs('{column.name}') {'+' if sign > 0 else '-'} '{column.name}') / 2"
     why = f"the pressure {'rises' if sign > 0 else 'falls'} where it is {'above' if sign > 0 else 'below'} zero"
-    kind = one.kind or "command"
-    return one.because(
+    kind = column.kind or "command"
+    return column.because(
         f"one command drives both valves: {why}",
         meaning=meant(kind, role),
         values=values,
@@ -448,16 +458,16 @@ def _half(one: RecordedColumn, role: str, sign: int) -> RecordedColumn:
 
 def _is_logged_on_change(column: RecordedColumn) -> bool:
     """Whether somebody sets it, and most likely no slip left the cells empty."""
-    if column.meaning is None or column.whole:
+    if column.meaning is None or column.is_complete:
         return False
     return column.kind in ("command", "current") or "set" in column.meaning.roles
 
 
 def _kept(column: RecordedColumn) -> RecordedColumn:
     """A set point or a command that a logger writes only when it changes, with its value in every row."""
-    empty = int(np.isnan(column.every).sum())
-    why = f"{empty} of {len(column.every)} cells are empty: it keeps the value above"
-    values = {i: filled_forward(one) for i, one in column.values.items()}
+    empty = int(np.isnan(column.samples).sum())
+    why = f"{empty} of {len(column.samples)} cells are empty: it keeps the value above"
+    values = {i: filled_forward(samples) for i, samples in column.values.items()}
     return column.because(why, values=values, logged_on_change=True)
 
 
@@ -466,20 +476,20 @@ def _kept(column: RecordedColumn) -> RecordedColumn:
 
 def as_points(columns: Sequence[RecordedColumn]) -> list[RecordedColumn]:
     """The columns of points at rest: a pressure was reached, a mass was hung on, a length that stays is at rest."""
-    made = [replace(c, points=True) for c in columns]
-    varying = next((c for c in made if c.kind in ("contraction", "ratio")), None)
+    result = [replace(c, points=True) for c in columns]
+    varying = next((c for c in result if c.kind in ("contraction", "ratio")), None)
     if varying is not None:
         why = f"it does not change, and '{varying.name}' does"
-        made = [
+        result = [
             c.because(why, meaning=AT_REST)
             if c.of("length") and all(span(values) == 0.0 for values in c.values.values())
             else c
-            for c in made
+            for c in result
         ]
-    made = _instead(
-        made, meant("pressure", "set"), meant("pressure"), "a set point, taken as reached"
+    result = _instead(
+        result, meant("pressure", "set"), meant("pressure"), "a set point, taken as reached"
     )
-    return _instead(made, meant("mass"), meant("force"), "the load of each row")
+    return _instead(result, meant("mass"), meant("force"), "the load of each row")
 
 
 def _instead(

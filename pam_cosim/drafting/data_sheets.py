@@ -106,12 +106,12 @@ def ratings(
     for rating in map(rating_of, filter(str.strip, text.split(";"))):
         inputs = valve_inputs(interface, headings)
         if rating.input and rating.input not in inputs:
-            known = (
+            valves = (
                 f"the bench has the valves of {', '.join(inputs)}"
                 if inputs
                 else "the bench has none"
             )
-            raise InputError(f"--valve {shown(rating.text)}: no valve has this input; {known}")
+            raise InputError(f"--valve {shown(rating.text)}: no valve has this input; {valves}")
         name, scale = _calibration(rating, inputs, interface, headings)
         if isinstance(scale, Scale):
             scales |= dict.fromkeys([rating.input] if rating.input else inputs, scale)
@@ -155,8 +155,8 @@ def valve_inputs(interface: Interface, headings: Headings) -> Mapping[str, Varia
     kinds = {n: headings.variable(v) for n, v in interface.inputs.items()}
     return {
         n: interface.inputs[n]
-        for n, one in kinds.items()
-        if one and one.roles & {"inlet", "exhaust"}
+        for n, meaning in kinds.items()
+        if meaning and meaning.roles & {"inlet", "exhaust"}
     }
 
 

@@ -27,7 +27,7 @@ class Draft:
         ignored: names of columns that are not read, and why.
         sigmas: by signals that count; ``shown`` are compared only.
         follows: parameters that no file and no user states, with their value and why.
-        told: by recording, what it tells of itself.
+        run_values: by recording, values of parameters and inputs that hold in this recording alone.
         open: which parameters a fit may tell.
         interpolation: of the inputs of all recordings.
         points: of tables of points at rest.
@@ -43,7 +43,7 @@ class Draft:
     sigmas: Mapping[str, Sigma]
     shown: Sequence[str]
     follows: Mapping[str, tuple[str, str]]
-    told: Sequence[Mapping[str, StatedValue]]
+    run_values: Sequence[Mapping[str, StatedValue]]
     open: OpenParameters
     roles: Sequence[Role]
     interpolation: str = "linear"
@@ -68,14 +68,14 @@ class Draft:
 
     def is_known(self, name: str) -> bool:
         """Whether a parameter or an input has a value in every recording."""
-        known = name in self.evidence.stated or name in self.follows
-        return known or all(name in run for run in self.told)
+        has_value = name in self.evidence.stated or name in self.follows
+        return has_value or all(name in run for run in self.run_values)
 
     def having(self, name: str) -> list[int]:
         """The recordings that have the column of a signal, if only empty."""
         column = self.bench.choice.fed.get(name)
-        every = range(len(self.files))
-        return sorted(column.places) if column is not None else [*every]
+        all_recordings = range(len(self.files))
+        return sorted(column.places) if column is not None else [*all_recordings]
 
 
 def document(draft: Draft) -> str:
@@ -216,8 +216,8 @@ def _signals(draft: Draft) -> Iterator[str]:
 
 def _parameters(draft: Draft) -> Iterator[str]:
     inputs = {n: draft.interface.inputs[n] for n in draft.unfed}
-    rest = {n: v for n, v in draft.open.to_state.items() if not draft.is_known(n)}
-    if not (draft.evidence.stated or draft.follows or inputs or rest):
+    unstated = {n: v for n, v in draft.open.to_state.items() if not draft.is_known(n)}
+    if not (draft.evidence.stated or draft.follows or inputs or unstated):
         return
     yield "[parameters]"
     for name, value in draft.evidence.stated.items():
@@ -233,25 +233,29 @@ def _parameters(draft: Draft) -> Iterator[str]:
             "no column was recognised as this input: the bench's default is used until you state yours"
         )
         yield _commented(name, variable)
-    if rest:
+    if unstated:
         yield from remark(
             "The bench's own values, not those of your rig: state yours, above all geometry and load."
         )
-    for name, variable in rest.items():
+    for name, variable in unstated.items():
         yield _commented(name, variable)
 
 
 def _commented(name: str, variable: Variable) -> str:
-    said = " ".join(remark(variable.description)).removeprefix("# ")
+    description = " ".join(remark(variable.description)).removeprefix("# ")
     value = _quantity(variable.start or 0.0, variable.unit, 6)
-    return f"# {toml_string(name)} = {value}   # {said}: state yours"
+    return f"# {toml_string(name)} = {value}   # {description}: state yours"
 
 
 def _fit(draft: Draft) -> Iterator[str]:
-    known = {*draft.evidence.stated, *draft.follows, *(n for told in draft.told for n in told)}
+    determined = {
+        *draft.evidence.stated,
+        *draft.follows,
+        *(n for run in draft.run_values for n in run),
+    }
     free, more = (
-        {n: v for n, v in some.items() if n not in known}
-        for some in (draft.open.free, draft.open.perhaps)
+        {n: v for n, v in variables.items() if n not in determined}
+        for variables in (draft.open.free, draft.open.perhaps)
     )
     if not free and not more:
         return
@@ -273,7 +277,9 @@ def _fit(draft: Draft) -> Iterator[str]:
 
 def bounds(name: str, variable: Variable) -> str:
     """An entry of [fit]."""
-    low, high = (_quantity(one or 0.0, variable.unit, 6) for one in (variable.min, variable.max))
+    low, high = (
+        _quantity(limit or 0.0, variable.unit, 6) for limit in (variable.min, variable.max)
+    )
     return f"{toml_string(name)} = {{ min = {low}, max = {high} }}"
 
 
@@ -297,18 +303,18 @@ def _run(draft: Draft, i: int) -> Iterator[str]:
                 yield f'{key} = "{_seconds(at)}"'
     if draft.points is not None:
         yield from _points(draft.points, i)
-    told = draft.told[i]
-    if told:
+    values = draft.run_values[i]
+    if values:
         yield "[runs.parameters]"
-    for name, one in told.items():
-        if one.why:
-            yield from _guessed(name, one.why)
-        yield f"{toml_string(name)} = {_value(one.value)}"
+    for name, value in values.items():
+        if value.why:
+            yield from _guessed(name, value.why)
+        yield f"{toml_string(name)} = {_value(value.value)}"
     having = [e for e in draft.mapped.entries.values() if i in draft.having(e.name)]
-    own = [entry for entry in having if _own(draft, entry) and _told(entry)]
-    if own:
+    entries = [entry for entry in having if _own(draft, entry) and _told(entry)]
+    if entries:
         yield "[runs.columns]"
-    for entry in own:
+    for entry in entries:
         yield from _entry(entry, entry.zero.get(i))
 
 

@@ -68,17 +68,17 @@ class MappedRun:
     time: Array
     inputs: dict[str, Array]
     outputs: dict[str, Array]
-    rest: tuple[Rest, ...] = ()
+    rests: tuple[Rest, ...] = ()
 
     @property
-    def every(self) -> dict[str, Array]:
+    def signals(self) -> dict[str, Array]:
         """All of them."""
         return {**self.inputs, **self.outputs}
 
     @property
     def first_rest(self) -> Rest | None:
         """The rest that it begins with, where it does."""
-        return self.rest[0] if self.rest and self.rest[0].start == 0 else None
+        return self.rests[0] if self.rests and self.rests[0].start == 0 else None
 
 
 @dataclass(frozen=True)
@@ -120,7 +120,7 @@ def map_columns(
         why = _why_reversed(values[name], meanings[name], choice.fed[name], pressure, pull)
         if why:
             entries[name] = _turned(entries[name], choice.fed[name], why)
-            values[name] = {i: -one for i, one in values[name].items()}
+            values[name] = {i: -samples for i, samples in values[name].items()}
     runs = _runs(interface, times, values, headings, moving=not evidence.points)
     if evidence.points:
         return Mapped(entries, runs)
@@ -129,21 +129,21 @@ def map_columns(
             entries[name], name, choice, meanings, runs, pressure, variables[name]
         )
         entries[name] = entry
-        values[name] = {i: one - zeros.get(i, 0.0) for i, one in values[name].items()}
+        values[name] = {i: samples - zeros.get(i, 0.0) for i, samples in values[name].items()}
     return Mapped(entries, _runs(interface, times, values, headings))
 
 
 def longest_of(choice: BenchChoice) -> float | None:
     """The longest length [m] in any recording of a column that is one; None: there is none."""
     lengths = [c for c in choice.fed.values() if c.of("length")]
-    return max((float(np.nanmax(convert(c.every, c.unit, "m"))) for c in lengths), default=None)
+    return max((float(np.nanmax(convert(c.samples, c.unit, "m"))) for c in lengths), default=None)
 
 
 def length_parameter(interface: Interface) -> str | None:
     """The parameter that is a muscle's length at rest, by what is said of it."""
     for name, variable in interface.parameters.items():
-        said = variable.description.casefold()
-        if variable.unit == "m" and "length" in said and ("rest" in said or "initial" in said):
+        text = variable.description.casefold()
+        if variable.unit == "m" and "length" in text and ("rest" in text or "initial" in text):
             return name
     return None
 
@@ -162,8 +162,8 @@ def _first(
     values: Mapping[str, dict[int, Array]], meanings: Mapping[str, Meaning | None], *wanted: Meaning
 ) -> dict[int, Array] | None:
     """The numbers of a column that is the first of what is asked for, or the next."""
-    found = [name for one in wanted for name in values if meanings[name] == one]
-    return values[found[0]] if found else None
+    names = [name for meaning in wanted for name in values if meanings[name] == meaning]
+    return values[names[0]] if names else None
 
 
 def _runs(
@@ -174,15 +174,15 @@ def _runs(
     moving: bool = True,
 ) -> tuple[MappedRun, ...]:
     """The recordings; ``moving``: over time, so that they may rest."""
-    made = []
+    result = []
     for i, time in times.items():
         inputs = {n: v[i] for n, v in values.items() if n in interface.inputs and i in v}
         outputs = {n: v[i] for n, v in values.items() if n in interface.outputs and i in v}
         warm = [n for n in outputs if headings.fits(interface.outputs[n].unit, "temperature")]
         quick = [v for n, v in outputs.items() if n not in warm]
         at_rest = rests(time, [*inputs.values(), *quick]) if moving else []
-        made.append(MappedRun(time, inputs, outputs, tuple(at_rest)))
-    return tuple(made)
+        result.append(MappedRun(time, inputs, outputs, tuple(at_rest)))
+    return tuple(result)
 
 
 # ---- name and scale --------------------------------------------------------------------------------------------------
@@ -240,7 +240,7 @@ def _gauge_pressure(
     """A gauge pressure that was recorded as an absolute one [Pa]."""
     outside, source = STANDARD_ATMOSPHERE, ""
     if ambient is not None:
-        outside = float(np.nanmean(convert(ambient.every, ambient.unit, "Pa")))
+        outside = float(np.nanmean(convert(ambient.samples, ambient.unit, "Pa")))
         source = f", the mean of {ambient.name}"
     text = f"{outside / 1e3:.6g} kPa"
     why = (*column.why, f"its heading says absolute; the ambient is taken as {text}{source}")
@@ -301,12 +301,12 @@ def with_directions(columns: Sequence[RecordedColumn], headings: Headings) -> li
 
 def _with_senses(column: RecordedColumn, headings: Headings) -> RecordedColumn:
     """A column of directions with the way that each of its values means; none, where it has more than three."""
-    values = [float(v) for v in np.unique(column.every[np.isfinite(column.every)])]
+    values = [float(v) for v in np.unique(column.samples[np.isfinite(column.samples)])]
     if len(values) > 3:
         return replace(column, meaning=None)
     if column.words:
-        said = {v: headings.direction_word(column.words[int(v)]) for v in values}
-        return replace(column, senses=said, why=("its words say so",))
+        senses_of_words = {v: headings.direction_word(column.words[int(v)]) for v in values}
+        return replace(column, senses=senses_of_words, why=("its words say so",))
     senses = {v: 1 if v == values[-1] else -1 if v == values[0] else 0 for v in values}
     if len(values) < 2:
         senses = {v: int(np.sign(v)) for v in values}
@@ -318,8 +318,8 @@ def _direction(
 ) -> tuple[ColumnEntry, dict[int, Array]]:
     """Words for directions, or a formula that gives 1 and -1."""
     values = {
-        i: np.array([float(column.senses.get(v, 0)) for v in own.tolist()])
-        for i, own in column.values.items()
+        i: np.array([float(column.senses.get(v, 0)) for v in samples.tolist()])
+        for i, samples in column.values.items()
     }
     if column.words:
         ways = {w: SENSES[column.senses.get(float(i), 0)] for i, w in enumerate(column.words)}
@@ -356,9 +356,9 @@ def _why_reversed(
     if meaning is None or column.of("length"):
         return ""
     if meaning.kind == "force":
-        every = np.concatenate(list(values.values()))
-        low, high = float(np.nanmin(every)), float(np.nanmax(every))
-        negative = float(np.nanmean(every)) < 0.0 and abs(low) > abs(high)
+        samples = np.concatenate(list(values.values()))
+        low, high = float(np.nanmin(samples)), float(np.nanmax(samples))
+        negative = float(np.nanmean(samples)) < 0.0 and abs(low) > abs(high)
         return (
             "it is below zero: its sign is turned round, so that a pull is positive"
             if negative
@@ -376,13 +376,13 @@ def _why_reversed(
 
 
 def _at_equal(
-    third: Mapping[int, Array], one: Mapping[int, Array], other: Mapping[int, Array]
+    third: Mapping[int, Array], first: Mapping[int, Array], second: Mapping[int, Array]
 ) -> float:
     """Partial correlation of two signals, without what each has in common with a third."""
-    both = correlation(one, other)
-    with_one, with_other = correlation(third, one), correlation(third, other)
-    rest = (1.0 - with_one**2) * (1.0 - with_other**2)
-    return (both - with_one * with_other) / sqrt(rest) if rest > 0.0 else 0.0
+    simple = correlation(first, second)
+    with_first, with_second = correlation(third, first), correlation(third, second)
+    unexplained = (1.0 - with_first**2) * (1.0 - with_second**2)
+    return (simple - with_first * with_second) / sqrt(unexplained) if unexplained > 0.0 else 0.0
 
 
 def _turned(entry: ColumnEntry, column: RecordedColumn, why: str) -> ColumnEntry:
@@ -429,27 +429,32 @@ class _Begin:
     @property
     def far(self) -> bool:
         """Whether it is away from zero by more than its error, in some recording."""
-        return any(abs(one) > NONZERO_READING * self.errors[i] for i, one in self.readings.items())
+        return any(
+            abs(reading) > NONZERO_READING * self.errors[i] for i, reading in self.readings.items()
+        )
 
     @property
     def slight(self) -> bool:
         """Whether it is away by a small part of what the signal moves, in all."""
         return all(
-            abs(one) <= CRITERIA.starts.offset * self.moved for one in self.readings.values()
+            abs(reading) <= CRITERIA.starts.offset * self.moved
+            for reading in self.readings.values()
         )
 
     @property
     def absolute(self) -> bool:
         """Whether it is that of the atmosphere in all, and the signal moves."""
         low, high = ATMOSPHERES
-        return self.moved > 0.0 and all(low <= one <= high for one in self.readings.values())
+        return self.moved > 0.0 and all(
+            low <= reading <= high for reading in self.readings.values()
+        )
 
     @property
     def same(self) -> bool:
         """Whether all recordings begin with the same reading."""
-        near = {i: NONZERO_READING * error for i, error in self.errors.items()}
+        tolerances = {i: NONZERO_READING * error for i, error in self.errors.items()}
         middle = float(np.median([*self.readings.values()]))
-        return all(abs(one - middle) <= near[i] for i, one in self.readings.items())
+        return all(abs(reading - middle) <= tolerances[i] for i, reading in self.readings.items())
 
     @property
     def common(self) -> bool:
@@ -461,34 +466,34 @@ class _Begin:
 def _begin(name: str, runs: Mapping[int, MappedRun]) -> _Begin:
     readings, errors = {}, {}
     for i, run in runs.items():
-        values, count = run.every[name], 0
+        values, count = run.signals[name], 0
         if run.first_rest is not None:
             count = run.first_rest.stop
-        elif begins_still(run.time, [v for v in run.every.values() if np.isfinite(v).any()]):
+        elif begins_still(run.time, [v for v in run.signals.values() if np.isfinite(v).any()]):
             count = int(np.sum(_still(run.time, values)))
         part = values[:count][np.isfinite(values[:count])]
         if part.size:
             least = REST_BAND * span(values) / NONZERO_READING
             readings[i] = float(np.mean(part))
             errors[i] = max(noise_of(run.time, values) / sqrt(part.size), least)
-    every = [run.every[name] for run in runs.values()]
+    signals = [run.signals[name] for run in runs.values()]
     return _Begin(
         readings,
         errors,
         frozenset(i for i, run in runs.items() if run.first_rest is not None and i in readings),
-        moved=max(map(span, every), default=0.0),
-        lowest=min(float(np.nanmin(one)) for one in every),
-        largest=max(float(np.nanmax(np.abs(one))) for one in every),
+        moved=max(map(span, signals), default=0.0),
+        lowest=min(float(np.nanmin(v)) for v in signals),
+        largest=max(float(np.nanmax(np.abs(v))) for v in signals),
     )
 
 
 def _still(time: Array, values: Array) -> np.ndarray:
     """(n,) the first samples, as long as they stay where the first five are."""
     first = float(np.nanmean(values[:5]))
-    near = np.abs(values - first) <= max(
+    is_near = np.abs(values - first) <= max(
         NONZERO_READING * noise_of(time, values), REST_BAND * span(values)
     )
-    return np.cumprod(near | ~np.isfinite(values)).astype(bool)
+    return np.cumprod(is_near | ~np.isfinite(values)).astype(bool)
 
 
 def _with_zero(
@@ -506,7 +511,7 @@ def _with_zero(
     instrument, and recordings that rest tell that of those which do not.
     """
     meaning = meanings[name]
-    having = {i: run for i, run in enumerate(runs) if name in run.every}
+    having = {i: run for i, run in enumerate(runs) if name in run.signals}
     begin = _begin(name, having) if having and meaning is not None else None
     if begin is None or meaning is None or not begin.readings:
         return entry, {}
@@ -528,9 +533,9 @@ def _with_zero(
         return replace(entry, zero=zero, why=(*entry.why, why)), _means(having, name, zero)
     value = float(np.median([*begin.readings.values()]))
     count = f"{len(begin.readings)} of {len(having)} recordings"
-    made = _less(entry, choice.fed[name], value, variable.unit)
+    shifted = _less(entry, choice.fed[name], value, variable.unit)
     return replace(
-        made, why=(*entry.why, f"{why}, of the {count} that begin at rest")
+        shifted, why=(*entry.why, f"{why}, of the {count} that begin at rest")
     ), dict.fromkeys(having, value)
 
 
@@ -551,8 +556,8 @@ def _less(entry: ColumnEntry, column: RecordedColumn, value: float, unit: str) -
 def _reads_absolute(meanings: Mapping[str, Meaning | None], runs: Sequence[MappedRun]) -> bool:
     """Whether the pressure of a muscle begins with that of the atmosphere in all recordings that have it."""
     for name in (n for n, meaning in meanings.items() if meaning == _PRESSURE):
-        own = {i: run for i, run in enumerate(runs) if name in run.every}
-        if own and (begin := _begin(name, own)).readings and begin.absolute:
+        having = {i: run for i, run in enumerate(runs) if name in run.signals}
+        if having and (begin := _begin(name, having)).readings and begin.absolute:
             return True
     return False
 
@@ -580,10 +585,12 @@ def _unloaded(
     """Whether there is no pressure at the start of any of them, but for an offset."""
     if pressure is None:
         return False
-    known = [i for i in begin.readings if i in pressure]
-    largest = max((span(pressure[i]) for i in known), default=0.0)
-    first = {i: runs[i].first_rest.stop if i in begin.resting else 5 for i in known}  # type: ignore[union-attr]
-    offsets = [float(np.nanmean(pressure[i][: first[i]] - np.nanmin(pressure[i]))) for i in known]
+    measured = [i for i in begin.readings if i in pressure]
+    largest = max((span(pressure[i]) for i in measured), default=0.0)
+    first = {i: runs[i].first_rest.stop if i in begin.resting else 5 for i in measured}  # type: ignore[union-attr]
+    offsets = [
+        float(np.nanmean(pressure[i][: first[i]] - np.nanmin(pressure[i]))) for i in measured
+    ]
     return largest > 0.0 and all(offset <= NO_PRESSURE * largest for offset in offsets)
 
 
@@ -593,7 +600,7 @@ def _intervals(runs: Mapping[int, MappedRun]) -> dict[int, tuple[float, float]]:
     for i, run in runs.items():
         assert run.first_rest is not None
         each[i] = float(run.time[run.first_rest.start]), float(run.time[run.first_rest.stop - 1])
-    start, stop = max(one for one, _ in each.values()), min(one for _, one in each.values())
+    start, stop = max(begin for begin, _ in each.values()), min(end for _, end in each.values())
     inside = [int(np.sum((runs[i].time >= start) & (runs[i].time <= stop))) for i in each]
     enough = min(inside) >= CRITERIA.noise.fewest_samples
     return dict.fromkeys(each, (start, stop)) if enough else each
@@ -603,17 +610,17 @@ def _means(
     runs: Mapping[int, MappedRun], name: str, zero: Mapping[int, tuple[float, float]]
 ) -> dict[int, float]:
     """The mean of a signal in the interval of its zero, by recording."""
-    made = {}
+    means = {}
     for i, (start, stop) in zero.items():
-        inside = runs[i].every[name][(runs[i].time >= start) & (runs[i].time <= stop)]
-        made[i] = float(np.mean(inside[np.isfinite(inside)])) if np.isfinite(inside).any() else 0.0
-    return made
+        inside = runs[i].signals[name][(runs[i].time >= start) & (runs[i].time <= stop)]
+        means[i] = float(np.mean(inside[np.isfinite(inside)])) if np.isfinite(inside).any() else 0.0
+    return means
 
 
 def readings_of(mapped: Mapped, names: Iterable[str]) -> Array:
     """Every sample of the first of these signals that was recorded; (0,) without one."""
     for name in names:
-        found = [run.every[name] for run in mapped.runs if name in run.every]
-        if found:
-            return np.concatenate(found)
+        samples = [run.signals[name] for run in mapped.runs if name in run.signals]
+        if samples:
+            return np.concatenate(samples)
     return np.empty(0)

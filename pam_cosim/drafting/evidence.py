@@ -50,10 +50,10 @@ class Evidence:
         columns: of all of them, with what each is.
         time: the one of time; None where an interval is stated.
         recording: as stated.
-        asked: names of columns, by the bench's names: as the user says, or called as the stated model calls them.
+        requested: names of columns by the bench's names: those that the user states, and those named as in the model.
         formulas: texts by the bench's names, of what is no column.
         stated: parameters as texts.
-        own: likewise, those that the user states of one recording, by its number.
+        run_parameters: by recording, parameters that the user states for it alone, as texts.
         remarks: by recording, quantities that lines above its rows state.
         points: the recordings are tables of points at rest.
     """
@@ -62,10 +62,10 @@ class Evidence:
     columns: tuple[RecordedColumn, ...]
     time: RecordedColumn | None
     recording: RecordingTable
-    asked: dict[str, str]
+    requested: dict[str, str]
     formulas: dict[str, str]
     stated: dict[str, str]
-    own: tuple[dict[str, str], ...]
+    run_parameters: tuple[dict[str, str], ...]
     remarks: tuple[tuple[Remark, ...], ...]
     points: bool
     headings: Headings
@@ -76,7 +76,7 @@ class Evidence:
         low, high = ATMOSPHERES
         for column in self.columns:
             if column.of("pressure", "ambient") and column.unit:
-                values = convert(column.every, column.unit, "Pa")
+                values = convert(column.samples, column.unit, "Pa")
                 if values.size and bool(((low <= values) & (values <= high)).all()):
                     return column
         return None
@@ -90,40 +90,40 @@ class Evidence:
     def signals(self) -> list[RecordedColumn]:
         """Columns of which it is known what they are, but for time and what stands around a muscle."""
         around = frozenset({"ambient", "rest"})
-        known = [c for c in self.columns if c.meaning is not None and not c.of("time")]
-        return [c for c in known if c.meaning and not c.meaning.roles & around]
+        recognised = [c for c in self.columns if c.meaning is not None and not c.of("time")]
+        return [c for c in recognised if c.meaning and not c.meaning.roles & around]
 
 
 def gather(
-    files: Sequence[Path], wishes: DraftRequests, headings: Headings, names: Collection[str]
+    files: Sequence[Path], requests: DraftRequests, headings: Headings, names: Collection[str]
 ) -> Evidence:
     """Reads the recordings and says what their columns are.
 
     Args:
         files: recordings.
-        wishes: what the user says.
+        requests: what the user says.
         headings: by which headings are read.
         names: of inputs and outputs of the model that the user states: a column that is called so is that.
 
     Raises:
         InputError: a file that cannot be read, no time, a wish that cannot be met.
     """
-    recording = recording_table(wishes.recording or {})
+    recording = recording_table(requests.recording or {})
     sources = read_sources(files, recording, headings)
-    known = {name for source in sources for name in source.table.columns}
+    recorded = {name for source in sources for name in source.table.columns}
     called = {c.heading.strip(): n for source in sources for n, c in source.table.columns.items()}
-    wanted = {n: called.get(text.strip(" '"), text) for n, text in (wishes.columns or {}).items()}
-    asked = {name: name for name in names if name in known and name not in wanted}
-    asked |= {name: column for name, column in wanted.items() if column in known}
-    formulas = {name: text for name, text in wanted.items() if text not in known}
+    wanted = {n: called.get(text.strip(" '"), text) for n, text in (requests.columns or {}).items()}
+    requested = {name: name for name in names if name in recorded and name not in wanted}
+    requested |= {name: column for name, column in wanted.items() if column in recorded}
+    formulas = {name: text for name, text in wanted.items() if text not in recorded}
     for name, text in formulas.items():
         if name == "time" or not re.search(r"[-+*/^('\"]", text):
-            hint = did_you_mean(text, known)
+            hint = did_you_mean(text, recorded)
             raise InputError(f"--column {name}: no file has a column {shown(text)}; {hint}")
     while True:
-        columns = find_columns(sources, asked.values(), formulas.values(), headings)
+        columns = find_columns(sources, requested.values(), formulas.values(), headings)
         try:
-            columns, time = with_time(columns, asked.get("time"), headings)
+            columns, time = with_time(columns, requested.get("time"), headings)
         except SeveralClocks as found:
             sources = with_one_clock(sources, columns, found, headings)
             continue
@@ -142,7 +142,7 @@ def gather(
         columns = [_coarse(c, interval) if c.name == time.name else c for c in columns]
         time, recording = None, recording.model_copy(update={"interval": Stated(interval)})
     points = time is None and recording.interval is None
-    stated, own = _stated(wishes.parameters or {}, sources)
+    stated, of_run = _stated(requests.parameters or {}, sources)
     words = list(dict.fromkeys(word for source in sources for word in source.table.missing))
     if any(source.is_merged for source in sources):
         words, recording = [], RecordingTable()
@@ -151,10 +151,10 @@ def gather(
         columns=tuple(as_points(columns) if points else columns),
         time=time,
         recording=recording.model_copy(update={"missing": words}) if words else recording,
-        asked=asked,
+        requested=requested,
         formulas=formulas,
         stated=stated,
-        own=own,
+        run_parameters=of_run,
         remarks=tuple(tuple(remarks_in(source.remarks, headings)) for source in sources),
         points=points,
         headings=headings,
@@ -179,12 +179,12 @@ def _stated(
 ) -> tuple[dict[str, str], tuple[dict[str, str], ...]]:
     """Parameters of all recordings, and those of one, ``NAME@RECORDING``."""
     shared: dict[str, str] = {}
-    own: tuple[dict[str, str], ...] = tuple({} for _ in sources)
+    of_run: tuple[dict[str, str], ...] = tuple({} for _ in sources)
     for key, value in parameters.items():
         name, at, run = key.partition("@")
         if not at:
             shared[name] = value
             continue
         for i in places_of(run, sources, f"--parameter {key}: "):
-            own[i][name] = value
-    return shared, own
+            of_run[i][name] = value
+    return shared, of_run

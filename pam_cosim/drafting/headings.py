@@ -99,7 +99,7 @@ class Heading:
         written: the unit as it stands in the file's place for units is ``unit``.
         unknown: the unit that is written, where nobody knows how large it is, or with a factor; else "".
         absolute: it says that the pressure is absolute.
-        known: how many of its words are known, of all: the larger share names it better.
+        known_share: share of its words that are known; a larger share names the quantity better.
     """
 
     meaning: Meaning | None
@@ -107,7 +107,7 @@ class Heading:
     written: bool
     unknown: str = ""
     absolute: bool = False
-    known: float = 0.0
+    known_share: float = 0.0
 
 
 def folded(text: str) -> str:
@@ -149,7 +149,7 @@ def alike(unit: str, other: str) -> bool:
 
 
 def _among(word: str, listed: str) -> bool:
-    return any(word == one[1:] if one[0] == "=" else one in word for one in listed.split())
+    return any(word == p[1:] if p[0] == "=" else p in word for p in listed.split())
 
 
 def _unit_with_factor(text: str) -> str:
@@ -170,7 +170,7 @@ class Headings:
 
     def with_trait(self, *traits: str) -> set[str]:
         """The kinds that have one of these traits."""
-        return {kind for kind, own in self._traits.items() if own.intersection(traits)}
+        return {kind for kind, has in self._traits.items() if has.intersection(traits)}
 
     def read(self, name: str, unit: str) -> Heading:
         """What a column is, by its name and unit."""
@@ -190,8 +190,8 @@ class Headings:
             parts = parts[::-1]
         small = [word for part in parts for word in part]
         meaning = self._meaning(small, stated or _unit_with_factor(written_unit))
-        known = [w for i, w in enumerate(small) if self._kinds_at(w, i) or self._roles([w])]
-        share = len(known) / len(small) if small else 0.0
+        recognised = [w for i, w in enumerate(small) if self._kinds_at(w, i) or self._roles([w])]
+        share = len(recognised) / len(small) if small else 0.0
         unknown = "" if stated or is_dimensionless(written_unit) else written_unit
         written = bool(stated) and stated == unit.strip()
         return Heading(meaning, stated, written, unknown, absolute, share)
@@ -209,7 +209,7 @@ class Headings:
         if match is None:
             return ""
         bare = match[1] or match[2]
-        return next((one for one in names if one in (bare, f"{bare}.Data", f"{bare}_data")), "")
+        return next((n for n in names if n in (bare, f"{bare}.Data", f"{bare}_data")), "")
 
     def scaled_unit(self, name: str) -> str:
         """A unit with a factor that a name ends with, ``Pressure (10^5 Pa)``, ``x in mm/10``, ``Time_10ms``; else "".
@@ -247,14 +247,16 @@ class Headings:
         """1 where a word says that a muscle contracts or its pressure rises, -1 the other way; 0: it says neither."""
         text = folded(word)
         rows = self.vocabulary.directions
-        return next((1 if way == "up" else -1 for way, said in rows if _among(text, said)), 0)
+        return next(
+            (1 if way == "up" else -1 for way, patterns in rows if _among(text, patterns)), 0
+        )
 
     def usual_unit(self, meaning: str, largest: float) -> str | None:
         """The unit that numbers of a kind most likely have, by their largest magnitude; None: nobody knows one."""
         rows = dict(reversed(self.vocabulary.units))
         listed = rows.get(meaning, rows.get(meaning.split()[-1]))
-        for one in listed.split(", ") if listed else ():
-            size, _, unit = one.rpartition(" ")
+        for entry in listed.split(", ") if listed else ():
+            size, _, unit = entry.rpartition(" ")
             if not size and unit[0].isdigit():
                 size, unit = unit, ""
             if largest <= (float(size) if size else inf):
@@ -270,15 +272,15 @@ class Headings:
         return self.meaning_of(variable.name, variable.description, variable.unit)
 
     def _meaning_of(self, name: str, description: str, unit: str) -> Meaning | None:
-        said = [folded(word) for word in split_words(description)]
+        description_words = [folded(word) for word in split_words(description)]
         words = [folded(word) for word in split_words(name)]
-        words += [word for word in said if word not in _PASSING]
+        words += [word for word in description_words if word not in _PASSING]
         return self._meaning(words, unit or "1", exact=True)
 
     def _says_absolute(self, unit: str, name: str) -> bool:
         """Whether a heading says that a pressure is absolute: by a word, by its unit, or by one in its name."""
         units = [unit, *re.split(r"[\W_]+", name)]
-        by_unit = any(pressure_reference(one)[1] == "absolute" for one in units)
+        by_unit = any(pressure_reference(text)[1] == "absolute" for text in units)
         return by_unit or any(_ABSOLUTE.fullmatch(folded(word)) for word in split_words(name))
 
     def _unit_in_name(self, name: str) -> tuple[str, str]:
@@ -288,16 +290,16 @@ class Headings:
             return "%", share[1]
         parts = [part for part in re.split(r"[\W_]+", name) if part]
         for place in range(len(parts) - 1, 0, -1):
-            rest = parts[:place] + parts[place + 1 :]
-            unit = self._unit_beside(parts[place], rest)
-            if unit and split_words(" ".join(rest)):
-                return unit, " ".join(rest)
+            remaining = parts[:place] + parts[place + 1 :]
+            unit = self._unit_beside(parts[place], remaining)
+            if unit and split_words(" ".join(remaining)):
+                return unit, " ".join(remaining)
         return "", name
 
-    def _unit_beside(self, part: str, rest: Sequence[str]) -> str:
+    def _unit_beside(self, part: str, remaining: Sequence[str]) -> str:
         """The unit that a part of a name is, if it can be one of what the other parts say; "" where it is none."""
         unit = known_unit(part)
-        kinds = set(self._kinds_in([folded(w) for one in rest for w in split_words(one)]))
+        kinds = set(self._kinds_in([folded(w) for text in remaining for w in split_words(text)]))
         if is_count(part):
             return part if self.with_trait("counted").intersection(kinds) else ""
         if len(part) == 1 and not (is_unit(part) and (part.isupper() or unit == part)):
@@ -305,7 +307,7 @@ class Headings:
         of_length = {self.units[kind] for kind in kinds} == {
             "m"
         }  # it has neither inlet nor exhaust
-        if not unit or (self._is_role(part, rest) and not of_length):
+        if not unit or (self._is_role(part, remaining) and not of_length):
             return ""
         # "valve_A", "valve_A1" and "F_g" name valves and a weight.
         is_word = len(part) > 1 and part.isalpha()
@@ -319,13 +321,13 @@ class Headings:
         kinds = {kind for kind in self.units if self.fits(unit, kind)}
         return kinds.union(*(_STANDS_FOR.get(kind, ()) for kind in kinds))
 
-    def _is_role(self, part: str, rest: Sequence[str]) -> bool:
+    def _is_role(self, part: str, remaining: Sequence[str]) -> bool:
         """Whether a part of a name says which quantity it is, as "in" and "atm" do that are units too.
 
         Behind the name of one pressure "atm" is its unit: ``pm_atm``, ``p_set_atm``.
         """
         word = folded(part)
-        any_pressure = len(rest) == 1 and folded(rest[0]) in _ANY_PRESSURE
+        any_pressure = len(remaining) == 1 and folded(remaining[0]) in _ANY_PRESSURE
         return bool(self._roles([word])) and not (word == "atm" and not any_pressure)
 
     def _meaning(self, words: list[str], unit: str, *, exact: bool = False) -> Meaning | None:
@@ -360,7 +362,7 @@ class Headings:
     def _kind_with_unit(self, named: Sequence[str], unit: str, exact: bool) -> str | None:
         """What the words say among what has the unit; without words, what usually has it."""
         possible = [kind for kind in self.units if self.fits(unit, kind)]
-        kind = next((one for one in named if one in possible), None)
+        kind = next((k for k in named if k in possible), None)
         is_length = "contraction" in named or "length" in named
         if kind is None and "ratio" in possible and is_length:
             kind = "ratio"
@@ -415,22 +417,22 @@ class Remark:
     value: str
 
 
-def muscle_in(texts: Sequence[str], known: Sequence[str]) -> tuple[str, str]:
+def muscle_in(texts: Sequence[str], muscles: Sequence[str]) -> tuple[str, str]:
     """The muscle of a library that every text tells, as ``DMSP-20-300``, and its length; "" where they do not."""
-    told = {_muscle(text, known) for text in texts}
-    if len(told) == 1:
-        return told.pop()
-    names = {name for name, _ in told}
+    named = {_muscle(text, muscles) for text in texts}
+    if len(named) == 1:
+        return named.pop()
+    names = {name for name, _ in named}
     return (names.pop(), "") if len(names) == 1 else ("", "")
 
 
-def _muscle(stem: str, known: Iterable[str]) -> tuple[str, str]:
-    for name in sorted(known, key=len, reverse=True):
+def _muscle(stem: str, muscles: Iterable[str]) -> tuple[str, str]:
+    for name in sorted(muscles, key=len, reverse=True):
         letters, digits = re.fullmatch(r"(.*?)(\d*)", name.casefold()).groups()  # type: ignore[union-attr]
         length = r"(?:[ _-]?(\d{2,4})(?!\d|[.,]\d))?"
         text = rf"{re.escape(letters)}[ _-]?{digits}(?!\d){length}"
-        if digits and (found := re.search(text, stem.casefold())):
-            return name, f"{found[1]} mm" if found[1] else ""
+        if digits and (match := re.search(text, stem.casefold())):
+            return name, f"{match[1]} mm" if match[1] else ""
     return "", ""
 
 
@@ -439,11 +441,11 @@ def load_in(stem: str, weights: bool) -> tuple[str, float] | None:
     for match in _LOAD.finditer(stem):
         number = (match["number"] or match["behind"]).replace(",", ".")
         unit = match["unit"] or match["first"]
-        said = f"{number} {unit}"
+        quantity = f"{number} {unit}"
         if unit in _MASSES:
-            return said, parse_quantity(said, "kg")
+            return quantity, parse_quantity(quantity, "kg")
         if unit in _WEIGHTS and weights:
-            return said, parse_quantity(said, "N") / parse_quantity(GRAVITY, "m/s2")
+            return quantity, parse_quantity(quantity, "N") / parse_quantity(GRAVITY, "m/s2")
     return None
 
 

@@ -66,7 +66,7 @@ _NOT_IN_NAMES = frozenset('\\/:*?"<>|@')
 def draft(
     folder: Path,
     files: Sequence[Path],
-    wishes: DraftRequests,
+    requests: DraftRequests,
     tree: ClassTree,
     describe: Callable[[str], Interface],
     simulate: Callable[[DataSet], object],
@@ -77,7 +77,7 @@ def draft(
     Args:
         folder: missing or empty.
         files: one recording each; they are copied.
-        wishes: what the user says.
+        requests: what the user says.
         tree: the library and the user's files.
         describe: gives the interface of a model.
         simulate: simulates the runs of a data set.
@@ -97,33 +97,35 @@ def draft(
     if twice is not None:  # its samples would count twice
         raise InputError("the file is named twice", twice)
     with _temporary_sibling(folder) as place:
-        model = wishes.model
+        model = requests.model
         if model is not None and is_file(model):
             model = str(place / _copies([Path(model)], place)[0])
         interface = stated_interface(model, tree, describe)
         headings = Headings(vocabulary_of(tree, model if interface else None))
         names = {*interface.inputs, *interface.outputs} if interface else set[str]()
-        evidence = gather(files, wishes, headings, names)
+        evidence = gather(files, requests, headings, names)
         if evidence.points:
             evidence = replace(evidence, columns=tuple(with_directions(evidence.columns, headings)))
-        wishes = replace(wishes, model=model)
-        bench = take_bench(place, class_name(folder), wishes, interface, evidence, tree, describe)
+        requests = replace(requests, model=model)
+        bench = take_bench(place, class_name(folder), requests, interface, evidence, tree, describe)
         evidence = with_length(with_full_names(evidence, bench.interface), bench)
         copy_of = dict(zip(files, _copies(files, place), strict=True))
         copy_of |= {
             s.file: _anew(s, copy_of[s.file], place) for s in evidence.sources if s.is_merged
         }
-        for stated in (evidence.stated, *evidence.own):
+        for stated in (evidence.stated, *evidence.run_parameters):
             check_stated(stated, bench.interface)
-        made = _draft(wishes, folder, bench, evidence, [copy_of[file] for file in evidence.files])
-        text = document(made)
+        drafted = _draft(
+            requests, folder, bench, evidence, [copy_of[file] for file in evidence.files]
+        )
+        text = document(drafted)
         (place / FILE_NAME).write_text(text, encoding="utf-8", newline="\n")
         data = _read(place, {copy: file for file, copy in copy_of.items()}, describe)
-        told = guesses(made), (*losses(data), *questions(made))
+        report = guesses(drafted), (*losses(data), *questions(drafted))
         commands = next_commands(folder, extra, bench.name)
-        new_data_set = NewDataSet(folder, data, bench.name, *told, commands)
+        new_data_set = NewDataSet(folder, data, bench.name, *report, commands)
         try:
-            _simulated(data, made, simulate)
+            _simulated(data, drafted, simulate)
         except InputError as problem:
             raise UnsimulatedDraft(problem, new_data_set, text, bench.interface) from None
         _put(place, folder)
@@ -147,7 +149,7 @@ class UnsimulatedDraft(InputError):
 
 
 def _draft(
-    wishes: DraftRequests, folder: Path, bench: Bench, evidence: Evidence, copies: Sequence[str]
+    requests: DraftRequests, folder: Path, bench: Bench, evidence: Evidence, copies: Sequence[str]
 ) -> Draft:
     """What the file says."""
     interface, choice, headings = bench.interface, bench.choice, evidence.headings
@@ -155,19 +157,22 @@ def _draft(
     follows = {n: (v, zero) for n, v in following(evidence.stated, interface).items()}
     plain = "nobody names the muscle: its fibres have no friction and cover nothing, and an effect may say otherwise"
     follows |= {n: (v, plain) for n, v in neutral(evidence, bench).items() if n not in follows}
-    valves, values = ratings(wishes.valve or "", interface, headings)
-    sheet = f"the data sheet of the valves: {wishes.valve}"
+    valves, values = ratings(requests.valve or "", interface, headings)
+    sheet = f"the data sheet of the valves: {requests.valve}"
     follows |= {name: (value, sheet) for name, value in values.items()}
     if evidence.points:
-        check_imposed(choice.unfed, [{*evidence.stated, *own} for own in evidence.own], interface)
+        check_imposed(
+            choice.unfed, [{*evidence.stated, *run} for run in evidence.run_parameters], interface
+        )
     mapped = map_columns(choice, interface, evidence, valves)
-    told = values_told(evidence, bench, mapped)
-    guessed = _guessed_roles(bench, evidence, mapped, told)
-    by_run = any(role.role == "holdout" for role in guessed) or bool(wishes.roles)
+    values_by_run = values_told(evidence, bench, mapped)
+    guessed = _guessed_roles(bench, evidence, mapped, values_by_run)
+    by_run = any(role.role == "holdout" for role in guessed) or bool(requests.roles)
     measured = {*choice.outputs, *evidence.formulas}
     outputs = [name for name in interface.outputs if name in measured]
     kinds = {
-        n: one.kind if (one := headings.variable(interface.outputs[n])) else "" for n in outputs
+        n: meaning.kind if (meaning := headings.variable(interface.outputs[n])) else ""
+        for n in outputs
     }
     # A thermometer lags behind the gas of a muscle: it is compared, and nothing is fitted to it.
     moves = bool({*kinds.values()} & {*MECHANICAL}) or any(
@@ -177,7 +182,7 @@ def _draft(
     fitted = [name for name in outputs if name not in only_shown]
     is_warm = "temperature" in kinds.values()
     return Draft(
-        title=wishes.title or folder.resolve().name,
+        title=requests.title or folder.resolve().name,
         evidence=evidence,
         bench=bench,
         mapped=mapped,
@@ -186,14 +191,14 @@ def _draft(
         sigmas={name: _sigma(name, bench, evidence, mapped) for name in fitted},
         shown=only_shown if fitted else [],
         follows=follows,
-        told=told,
+        run_values=values_by_run,
         open=_determined(open_parameters(interface, headings, evidence.points), is_warm),
-        roles=stated_roles(guessed, evidence.sources, wishes.roles or {}),
+        roles=stated_roles(guessed, evidence.sources, requests.roles or {}),
         interpolation=interpolation_of(_set_columns(bench, evidence), headings),
         points=points_draft(mapped.runs, interface, evidence.files, by_run, headings)
         if evidence.points
         else None,
-        valve=wishes.valve or "",
+        valve=requests.valve or "",
     )
 
 
@@ -207,23 +212,26 @@ def _determined(parameters: OpenParameters, is_warm: bool) -> OpenParameters:
 
 
 def _guessed_roles(
-    bench: Bench, evidence: Evidence, mapped: Mapped, told: Sequence[Mapping[str, StatedValue]]
+    bench: Bench,
+    evidence: Evidence,
+    mapped: Mapped,
+    values_by_run: Sequence[Mapping[str, StatedValue]],
 ) -> list[Role]:
     """Which recordings are held out; none, where nobody knows at which lengths or loads they were taken."""
     mechanical = [
         name
         for name in bench.choice.unfed
-        if (one := evidence.headings.variable(bench.interface.inputs[name]))
-        and one.kind in MECHANICAL
+        if (meaning := evidence.headings.variable(bench.interface.inputs[name]))
+        and meaning.kind in MECHANICAL
     ]
     unknown = [
         n
         for n in mechanical
-        if n not in evidence.stated and not all(n in own for own in evidence.own)
+        if n not in evidence.stated and not all(n in run for run in evidence.run_parameters)
     ]
     if unknown:
         return [Role("fit") for _ in mapped.runs]
-    traits = [{n: one.number for n, one in run.items()} for run in told]
+    traits = [{n: value.number for n, value in run.items()} for run in values_by_run]
     return roles(mapped.runs, bench.interface, traits)
 
 
@@ -260,12 +268,14 @@ def _ignored(bench: Bench, evidence: Evidence, mapped: Mapped) -> dict[str, str]
     used = {entry.column for entry in mapped.entries.values()} | used_in(evidence)
     used |= {c.name for c in bench.choice.fed.values()}
     names = {column.meaning: name for name, column in bench.choice.fed.items()}
-    left = [c for c in evidence.columns if c.name not in used]
-    said: dict[str, str] = {}
+    remaining = [c for c in evidence.columns if c.name not in used]
+    reasons: dict[str, str] = {}
     if not any(source.is_merged for source in evidence.sources):
-        said = dict.fromkeys(evidence.recording.ignore or (), "as you say")
-        said |= {name: "a column of text" for source in evidence.sources for name in source.texts}
-    for column in left:
+        reasons = dict.fromkeys(evidence.recording.ignore or (), "as you say")
+        reasons |= {
+            name: "a column of text" for source in evidence.sources for name in source.texts
+        }
+    for column in remaining:
         meaning = column.meaning
         around = meaning is not None and (
             meaning.kind == "mass" or bool(meaning.roles & {"ambient", "rest"})
@@ -278,11 +288,11 @@ def _ignored(bench: Bench, evidence: Evidence, mapped: Mapped) -> dict[str, str]
             why = _IGNORED_KINDS[meaning.kind]
         elif meaning in names:
             why = f"it could be {names[meaning]} too; --column {names[meaning]}='{column.name}' would take it"
-        said[column.name] = why
-    return said
+        reasons[column.name] = why
+    return reasons
 
 
-def _simulated(data: DataSet, made: Draft, simulate: Callable[[DataSet], object]) -> None:
+def _simulated(data: DataSet, drafted: Draft, simulate: Callable[[DataSet], object]) -> None:
     """Simulates the first run.
 
     Raises:
@@ -291,16 +301,18 @@ def _simulated(data: DataSet, made: Draft, simulate: Callable[[DataSet], object]
     try:
         simulate(replace(data, runs=data.runs[:1]))
     except SimulationFailure as failure:
-        for name, least, say in below_zero(made):
+        for name, least, say in below_zero(drafted):
             begins = f"{name} begins at {format_quantity(least, 'm')}, outside the muscle: which reading is zero?"
             raise InputError(f"{begins} Say it, as in {say}") from None
-        unknown = [*made.unfed, *(n for n in made.open.to_state if not made.is_known(n))]
+        unknown = [*drafted.unfed, *(n for n in drafted.open.to_state if not drafted.is_known(n))]
         hint = (
             f"state what the rig has, --parameter NAME=VALUE, of {listed(unknown)}; or --model NAME"
         )
-        fed = listed(f"{n} = {column.name}" for n, column in made.bench.choice.fed.items())
-        said = f"{made.bench.choice.ports.name} ({fed}) cannot be simulated with what was recorded"
-        raise InputError(f"{said}: {failure}; {hint}") from None
+        fed = listed(f"{n} = {column.name}" for n, column in drafted.bench.choice.fed.items())
+        message = (
+            f"{drafted.bench.choice.ports.name} ({fed}) cannot be simulated with what was recorded"
+        )
+        raise InputError(f"{message}: {failure}; {hint}") from None
 
 
 # ---- the place of a new data set: drafted beside it, and put there as a whole or not at all --------------------------
@@ -337,10 +349,12 @@ def _temporary_sibling(folder: Path) -> Iterator[Path]:
     while not parent.exists() and parent != parent.parent:
         parent = parent.parent
     try:
-        made = tempfile.TemporaryDirectory(dir=parent, prefix=".new-", ignore_cleanup_errors=True)
+        temporary = tempfile.TemporaryDirectory(
+            dir=parent, prefix=".new-", ignore_cleanup_errors=True
+        )
     except OSError as error:
         raise InputError(f"the data set cannot be written: {error.strerror}", folder) from None
-    with made as name:
+    with temporary as name:
         place = Path(name) / "set"
         place.mkdir()
         yield place
@@ -348,7 +362,7 @@ def _temporary_sibling(folder: Path) -> Iterator[Path]:
 
 def _copies(files: Sequence[Path], place: Path) -> list[str]:
     """Copies under their own names; where two are called alike, with a number."""
-    made, taken = [], {Path(FILE_NAME).stem}
+    copies, taken = [], {Path(FILE_NAME).stem}
     for file in files:
         letters = [c if c.isprintable() and c not in _NOT_IN_NAMES else "_" for c in file.stem]
         stem = "".join(letters) or "run"
@@ -360,8 +374,8 @@ def _copies(files: Sequence[Path], place: Path) -> list[str]:
             shutil.copyfile(file, place / f"{name}{file.suffix}")
         except OSError as error:
             raise InputError(f"the file cannot be copied: {error.strerror}", file) from None
-        made.append(f"{name}{file.suffix}")
-    return made
+        copies.append(f"{name}{file.suffix}")
+    return copies
 
 
 def _anew(source: Source, copy: str, place: Path) -> str:

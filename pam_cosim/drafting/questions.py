@@ -78,9 +78,9 @@ class NewDataSet(Printed):
         lines += [f"  {a:<{widths[0]}}  {b:<{widths[1]}}  {c}".rstrip() for a, b, c in rows]
         lines += [
             "to check, and to state in experiment.toml:",
-            *(f"  - {one}" for one in self.to_check),
+            *(f"  - {line}" for line in self.to_check),
         ]
-        return "\n".join([*lines, "next:", *(f"  {one}" for one in self.next_commands)])
+        return "\n".join([*lines, "next:", *(f"  {line}" for line in self.next_commands)])
 
 
 def next_commands(folder: Path, extra: Sequence[Path], model: str) -> tuple[str, ...]:
@@ -93,32 +93,32 @@ def next_commands(folder: Path, extra: Sequence[Path], model: str) -> tuple[str,
 # ---- what was recognised ---------------------------------------------------------------------------------------------
 
 
-def guesses(made: Draft) -> tuple[Guess, ...]:
+def guesses(draft: Draft) -> tuple[Guess, ...]:
     """A line for each column, for the noise of each signal, and for each recording that is held out."""
-    time = made.evidence.time
-    columns = {**made.bench.choice.fed, **({"time": time} if time is not None else {})}
-    entries = made.mapped.entries.items()
-    rows = [_of_column(name, entry, columns.get(name), made) for name, entry in entries]
-    rows += [Guess(name, "not read", why) for name, why in made.ignored.items()]
-    for reason in dict.fromkeys(why for _, why in made.follows.values()):
-        names = {n: value for n, (value, why) in made.follows.items() if why == reason}
+    time = draft.evidence.time
+    columns = {**draft.bench.choice.fed, **({"time": time} if time is not None else {})}
+    entries = draft.mapped.entries.items()
+    rows = [_of_column(name, entry, columns.get(name), draft) for name, entry in entries]
+    rows += [Guess(name, "not read", why) for name, why in draft.ignored.items()]
+    for reason in dict.fromkeys(why for _, why in draft.follows.values()):
+        names = {n: value for n, (value, why) in draft.follows.items() if why == reason}
         rows.append(Guess(", ".join(names), ", ".join(names.values()), f"guessed: {reason}"))
-    for name, sigma in made.sigmas.items():
-        unit = made.interface.outputs[name].unit
+    for name, sigma in draft.sigmas.items():
+        unit = draft.interface.outputs[name].unit
         noise = "left out" if sigma.value is None else format_quantity(sigma.value, unit)
         rows.append(Guess(f"sigma of {name}", noise, f"guessed: {sigma.why}"))
-    for file, role in zip(made.recordings, made.roles, strict=True):
+    for file, role in zip(draft.recordings, draft.roles, strict=True):
         if role.why:
             rows.append(Guess(file, role.role, f"guessed: {role.why}"))
-    for i, file in enumerate(made.recordings if made.points else ()):
-        rows += _of_points(made, i, file)
+    for i, file in enumerate(draft.recordings if draft.points else ()):
+        rows += _of_points(draft, i, file)
     return tuple(rows)
 
 
-def _of_column(name: str, entry: ColumnEntry, column: RecordedColumn | None, made: Draft) -> Guess:
+def _of_column(name: str, entry: ColumnEntry, column: RecordedColumn | None, draft: Draft) -> Guess:
     """What a column was taken for, and why."""
     what = column.name if column is not None else entry.formula or ""
-    kind = "" if name == "time" else " (input)" if name in made.interface.inputs else " (measured)"
+    kind = "" if name == "time" else " (input)" if name in draft.interface.inputs else " (measured)"
     why = "guessed: " + "; ".join(entry.why) if entry.why else ""
     return Guess(what, f"{name}{_unit_or_words(entry, column)}{kind}", why)
 
@@ -134,16 +134,16 @@ def _unit_or_words(entry: ColumnEntry, column: RecordedColumn | None) -> str:
     return f" [{column.unit}]" if column.unit else ""
 
 
-def _of_points(made: Draft, i: int, file: str) -> Iterator[Guess]:
+def _of_points(draft: Draft, i: int, file: str) -> Iterator[Guess]:
     """Directions by the order of rows, and rows that are held out."""
-    assert made.points is not None
-    branch = made.points.branch[i]
+    assert draft.points is not None
+    branch = draft.points.branch[i]
     if branch:
         whys = {"order": "guessed: the rows go up and come back", "none": "its rows tell none"}
         yield Guess(
             f"order of {file}", f"branch = {branch}", whys.get(branch, "guessed: the file's name")
         )
-    for name, taken in made.points.hold_out[i].items():
+    for name, taken in draft.points.hold_out[i].items():
         yield Guess(
             file, f"held out: {name} = {listed(taken)}", "guessed: they lie within what is fitted"
         )
@@ -162,60 +162,62 @@ def losses(data: DataSet) -> tuple[str, ...]:
 # ---- what only the experimenter knows --------------------------------------------------------------------------------
 
 
-def questions(made: Draft) -> tuple[str, ...]:
+def questions(draft: Draft) -> tuple[str, ...]:
     """What only the experimenter knows: the rig first, then the columns, then the runs."""
-    asked = (
+    topics = (
         _what_holds_it, _what_drives_it, _valve_data, _which_muscle, _geometry, _which_bench, _rows_at_rest, _clocks,
         _below_zero, _markers, _never_at_rest, _absolute, _angles, _runs, _free,
     )  # fmt: skip
-    return tuple(sentence for question in asked for sentence in question(made))
+    return tuple(sentence for question in topics for sentence in question(draft))
 
 
-def _meanings(made: Draft) -> dict[str, Meaning | None]:
-    variables = {**made.interface.inputs, **made.interface.outputs}
-    return {name: made.evidence.headings.variable(one) for name, one in variables.items()}
+def _meanings(draft: Draft) -> dict[str, Meaning | None]:
+    variables = {**draft.interface.inputs, **draft.interface.outputs}
+    return {n: draft.evidence.headings.variable(v) for n, v in variables.items()}
 
 
-def _used(made: Draft) -> set[str]:
+def _used(draft: Draft) -> set[str]:
     """The columns that are read, be it in a formula."""
-    return {c.name for c in made.bench.choice.fed.values()} | used_in(made.evidence)
+    return {c.name for c in draft.bench.choice.fed.values()} | used_in(draft.evidence)
 
 
-def _what_holds_it(made: Draft) -> Iterator[str]:
+def _what_holds_it(draft: Draft) -> Iterator[str]:
     """Whether the load end hangs, is sprung or is held, where the recordings leave that open."""
-    meanings, choice = _meanings(made), made.bench.choice
-    recorded = {c.kind for c in made.evidence.signals}
+    meanings, choice = _meanings(draft), draft.bench.choice
+    recorded = {c.kind for c in draft.evidence.signals}
     for name, column in choice.moving_lengths.items():
-        if made.points is None and choice.freer:
+        if draft.points is None and choice.freer:
             yield (
                 f"{name} is taken for imposed, and {column.name} moves: if the muscle itself moved it, against a load "
                 f"that hangs or a spring, say --model '{choice.freer}'"
             )
     forces = [n for n, c in choice.inputs.items() if c.kind == "force"]
-    if forces and made.points is None:
+    if forces and draft.points is None:
         yield (
             f"{forces[0]} is taken for a force that a machine imposes: if a load hangs or a spring pulls, and "
             f"{choice.inputs[forces[0]].name} is the reading of a load cell, name the bench, --model NAME "
             "('pam-cosim bench --list')"
         )
-    has_body = any(one and one.kind in MECHANICAL for one in meanings.values())
-    if made.bench.why and not recorded & set(MECHANICAL) and not made.points and not has_body:
+    has_body = any(meaning and meaning.kind in MECHANICAL for meaning in meanings.values())
+    if draft.bench.why and not recorded & set(MECHANICAL) and not draft.points and not has_body:
         yield (
             "neither a length nor a force was recorded, so that this is taken for a vessel of fixed volume: if it "
             "is a muscle, say what holds it, --model NAME ('pam-cosim bench --list')"
         )
 
 
-def _what_drives_it(made: Draft) -> Iterator[str]:
+def _what_drives_it(draft: Draft) -> Iterator[str]:
     """Inputs without a value, pressures that are imposed, voltages, and one command for two valves."""
-    unfed = made.unfed
+    unfed = draft.unfed
     for name in unfed:
-        description = made.interface.inputs[name].description
+        description = draft.interface.inputs[name].description
         hint = f"--parameter '{name}=...', --column {name}=..., or of each file --parameter {name}@FILE=..."
         yield f"no column and no line of the files tells the input {name} ({description}): {hint}"
-    volts = [c for c in made.evidence.columns if c.kind == "voltage" and c.name not in _used(made)]
+    volts = [
+        c for c in draft.evidence.columns if c.kind == "voltage" and c.name not in _used(draft)
+    ]
     for column in volts:
-        roles = made.evidence.headings.roles_of(column.name)
+        roles = draft.evidence.headings.roles_of(column.name)
         valve = "u_out" if "exhaust" in roles else "u_in" if "inlet" in roles else ""
         size = ("p_set", "60 kPa/V") if not valve else (valve, "40 mA/V")
         yield (
@@ -223,43 +225,43 @@ def _what_drives_it(made: Draft) -> Iterator[str]:
             f"{scaling(size[0], column.name, size[1])}, or the valve, as in --model 'proportional-pressure-valve and "
             f"hanging-load' --column {quote(f'u={column.name}')}"
         )
-    pressure = [n for n, c in made.bench.choice.inputs.items() if c.of("pressure")]
-    if pressure and made.points is None:
+    pressure = [n for n, c in draft.bench.choice.inputs.items() if c.of("pressure")]
+    if pressure and draft.points is None:
         yield (
             f"nothing was recorded that drives the pressure, so that {pressure[0]} is taken as imposed: valves, supply "
             "and gas are no part of the model then; if a column drives them, say which, as --column NAME=COLUMN "
             "--model NAME"
         )
-    halves = {c.name for c in made.bench.choice.inputs.values() if c.formula}
-    for one in halves:
+    halves = {c.name for c in draft.bench.choice.inputs.values() if c.formula}
+    for command in halves:
         yield (
-            f"does one command, {one}, drive both valves? It is taken so: above zero it opens the inlet, below the "
+            f"does one command, {command}, drive both valves? It is taken so: above zero it opens the inlet, below the "
             "exhaust, in full at 1 without a dead band; scale the formulas under [columns] where it is not so"
         )
 
 
-def _valve_data(made: Draft) -> Iterator[str]:
+def _valve_data(draft: Draft) -> Iterator[str]:
     """Calibrations of valves, which a data sheet tells."""
     names = [
         n
-        for n in made.open.free
-        if not made.is_known(n) and "area" in made.open.free[n].description
+        for n in draft.open.free
+        if not draft.is_known(n) and "area" in draft.open.free[n].description
     ]
-    if names and not made.valve:
+    if names and not draft.valve:
         yield (
             f"flow area of the valves: {listed(names)} is free; where a data sheet tells the area or the nominal flow "
             f"at an input, say {EXAMPLES}"
         )
 
 
-def _which_muscle(made: Draft) -> Iterator[str]:
-    name = next((n for n in made.open.to_state if n.endswith(".L0")), "")
-    stated = {*made.evidence.stated, *(n for own in made.evidence.own for n in own)}
-    if made.bench.muscle or not any(
-        n.rpartition(".")[2] == "L0" for n in made.interface.parameters
+def _which_muscle(draft: Draft) -> Iterator[str]:
+    name = next((n for n in draft.open.to_state if n.endswith(".L0")), "")
+    stated = {*draft.evidence.stated, *(n for run in draft.evidence.run_parameters for n in run)}
+    if draft.bench.muscle or not any(
+        n.rpartition(".")[2] == "L0" for n in draft.interface.parameters
     ):
         return
-    if not made.bench.why and not made.bench.composed:
+    if not draft.bench.why and not draft.bench.composed:
         return
     if not any(n.rpartition(".")[2] == "L0" for n in stated):
         yield (
@@ -269,77 +271,79 @@ def _which_muscle(made: Draft) -> Iterator[str]:
         )
 
 
-def _geometry(made: Draft) -> Iterator[str]:
-    unknown = [n for n, v in made.open.to_state.items() if is_geometry(v) and not made.is_known(n)]
+def _geometry(draft: Draft) -> Iterator[str]:
+    unknown = [
+        n for n, v in draft.open.to_state.items() if is_geometry(v) and not draft.is_known(n)
+    ]
     if unknown:
         yield f"geometry and load are the bench's own until you state yours under [parameters]: {listed(unknown)}"
 
 
-def _which_bench(made: Draft) -> Iterator[str]:
-    if made.bench.why:
-        yield made.bench.why.removeprefix("guessed: ") + "; for another, --model NAME"
+def _which_bench(draft: Draft) -> Iterator[str]:
+    if draft.bench.why:
+        yield draft.bench.why.removeprefix("guessed: ") + "; for another, --model NAME"
 
 
-def _rows_at_rest(made: Draft) -> Iterator[str]:
-    if made.points is not None:
+def _rows_at_rest(draft: Draft) -> Iterator[str]:
+    if draft.points is not None:
         yield (
             "no column is the time, so that each row is taken for a point at rest: where rows are samples of a "
             "recording, say how far they are apart, --recording interval='1 ms'"
         )
 
 
-def _clocks(made: Draft) -> Iterator[str]:
+def _clocks(draft: Draft) -> Iterator[str]:
     """Files of several clocks, and how long a recording lasts by a unit of time that nobody wrote."""
-    merged = [s.file.name for s in made.evidence.sources if s.is_merged]
+    merged = [s.file.name for s in draft.evidence.sources if s.is_merged]
     if merged:
         yield (
             f"{listed(merged)}: several clocks, of one zero as it is taken; every time of any has a row of its own in "
             "what is written; where a clock has another zero, correct its times in the file"
         )
-    entry = made.mapped.entries.get("time")
+    entry = draft.mapped.entries.get("time")
     guess = next((why for why in entry.why if NO_UNIT in why), "") if entry else ""
     if entry and entry.unit not in (None, "s") and guess:
-        runs = made.mapped.runs
+        runs = draft.mapped.runs
         longest = max(range(len(runs)), key=lambda i: span(runs[i].time))
         lasts = format_quantity(span(runs[longest].time), "s")
         yield (
-            f"{guess}, so that {made.recordings[longest]} lasts {lasts}: if it does not, write the unit of "
+            f"{guess}, so that {draft.recordings[longest]} lasts {lasts}: if it does not, write the unit of "
             "time under [columns]"
         )
 
 
-def _markers(made: Draft) -> Iterator[str]:
+def _markers(draft: Draft) -> Iterator[str]:
     """Numbers that may mark missing samples, and how to say so; words that were met are said again."""
-    for name, column in made.bench.choice.fed.items():
-        is_input = name in made.interface.inputs
-        if is_input and made.points is not None:
+    for name, column in draft.bench.choice.fed.items():
+        is_input = name in draft.interface.inputs
+        if is_input and draft.points is not None:
             continue
-        values = column.every[np.isfinite(column.every)]
+        values = column.samples[np.isfinite(column.samples)]
         value = input_marker_of(values) if is_input else marker_of(values)
         if value is not None:
-            rest = values[values != value]
-            words = ",".join([*(made.evidence.recording.missing or ()), f"{value:.15g}"])
+            unmarked = values[values != value]
+            words = ",".join([*(draft.evidence.recording.missing or ()), f"{value:.15g}"])
             yield (
-                f"{column.name} is {value:.15g} in {len(values) - len(rest)} of {len(values)} samples, and between "
-                f"{rest.min():g} and {rest.max():g} in all others: where that number marks a missing sample, say "
-                f"--recording 'missing={words}'"
+                f"{column.name} is {value:.15g} in {len(values) - len(unmarked)} of {len(values)} samples, and between "
+                f"{unmarked.min():g} and {unmarked.max():g} in all others: where that number marks a missing sample, "
+                f"say --recording 'missing={words}'"
             )
 
 
-def _pressures(made: Draft) -> Array:
+def _pressures(draft: Draft) -> Array:
     """Every pressure in the muscle, or the set points, that was recorded."""
-    meanings = _meanings(made)
+    meanings = _meanings(draft)
     wanted = (meant("pressure"), meant("pressure", "set"))
     return readings_of(
-        made.mapped, [n for one in wanted for n, meaning in meanings.items() if meaning == one]
+        draft.mapped, [n for kind in wanted for n, meaning in meanings.items() if meaning == kind]
     )
 
 
-def _never_at_rest(made: Draft) -> Iterator[str]:
+def _never_at_rest(draft: Draft) -> Iterator[str]:
     """Contractions counted from the longest length, where the muscle has pressure in every row."""
-    entries = made.mapped.entries.values()
+    entries = draft.mapped.entries.values()
     counted = [e.name for e in entries if any(LONGEST in why for why in e.why)]
-    pressures = _pressures(made)
+    pressures = _pressures(draft)
     if (
         counted
         and pressures.size
@@ -351,43 +355,43 @@ def _never_at_rest(made: Draft) -> Iterator[str]:
         )
 
 
-def below_zero(made: Draft) -> Iterator[tuple[str, float, str]]:
+def below_zero(draft: Draft) -> Iterator[tuple[str, float, str]]:
     """Contractions of which a muscle would be far longer than at rest: signal, least value, and what to type."""
-    for name, meaning in _meanings(made).items():
-        values = readings_of(made.mapped, [name])
+    for name, meaning in _meanings(draft).items():
+        values = readings_of(draft.mapped, [name])
         if (
             meaning != Meaning("contraction")
-            or made.points
-            or name in made.evidence.formulas
+            or draft.points
+            or name in draft.evidence.formulas
             or not values.size
         ):
             continue
         least = float(np.nanmin(values))
         if least < -CRITERIA.starts.offset * span(values):
-            column, far = made.bench.choice.fed[name], format_quantity(-least, "m")
+            column, far = draft.bench.choice.fed[name], format_quantity(-least, "m")
             term = column.name if column.name.isidentifier() else f"'{column.name}'"
             term += "" if column.stated else f' * "1 {column.unit}"'
-            turned = (made.mapped.entries[name].formula or "").startswith("-")
+            turned = (draft.mapped.entries[name].formula or "").startswith("-")
             formula = f'"{far}" - {term}' if turned else f'{term} + "{far}"'
             yield name, least, f"--column {quote(f'{name}={formula}')}"
 
 
-def _below_zero(made: Draft) -> Iterator[str]:
-    for name, least, say in below_zero(made):
+def _below_zero(draft: Draft) -> Iterator[str]:
+    for name, least, say in below_zero(draft):
         yield (
             f"{name} goes down to {format_quantity(least, 'm')}, as if the muscle were longer than at rest: its zero "
             f"is that of the instrument; which reading is zero? Say it, as in {say}"
         )
 
 
-def _absolute(made: Draft) -> Iterator[str]:
+def _absolute(draft: Draft) -> Iterator[str]:
     """A supply beside a pressure that was found to be absolute; points that begin at the pressure of the atmosphere."""
-    entries = made.mapped.entries
+    entries = draft.mapped.entries
     absolute = [e.name for e in entries.values() if any(ABSOLUTE_GAUGE in why for why in e.why)]
     supplies = [
         n
-        for n, one in _meanings(made).items()
-        if one == meant("pressure", "supply") and n in entries
+        for n, meaning in _meanings(draft).items()
+        if meaning == meant("pressure", "supply") and n in entries
     ]
     for name in supplies if absolute else ():
         column = entries[name].column or name
@@ -395,11 +399,13 @@ def _absolute(made: Draft) -> Iterator[str]:
             f"{listed(absolute)} is of an absolute gauge: if {name} is too, take the ambient pressure off under "
             f'[columns], as in {name} = {{ column = {shown(column)}, offset = "-1.013 bar" }}'
         )
-    pressures, (low, high) = _pressures(made), ATMOSPHERES
-    if made.points is None or not pressures.size or not low <= float(np.nanmin(pressures)) <= high:
+    pressures, (low, high) = _pressures(draft), ATMOSPHERES
+    if draft.points is None or not pressures.size or not low <= float(np.nanmin(pressures)) <= high:
         return
-    read = [n for n in made.interface.outputs if all(n in run.every for run in made.mapped.runs)]
-    shown_by = [np.abs(readings_of(made.mapped, [n])) for n in read]
+    read = [
+        n for n in draft.interface.outputs if all(n in run.signals for run in draft.mapped.runs)
+    ]
+    shown_by = [np.abs(readings_of(draft.mapped, [n])) for n in read]
     if any(np.nanmax(v[pressures <= high]) <= NO_PRESSURE * np.nanmax(v) for v in shown_by):
         yield (
             f"the least pressure is {format_quantity(float(np.nanmin(pressures)), 'Pa')}, and the muscle does nothing "
@@ -408,16 +414,16 @@ def _absolute(made: Draft) -> Iterator[str]:
         )
 
 
-def _angles(made: Draft) -> Iterator[str]:
+def _angles(draft: Draft) -> Iterator[str]:
     """Angles that are not read, as of a pulley; directions of which no word is known."""
-    lengths = any(c.kind in LENGTHS for c in made.bench.choice.fed.values())
-    for column in made.evidence.columns:
-        if column.kind == "angle" and not lengths and column.name not in _used(made):
+    lengths = any(c.kind in LENGTHS for c in draft.bench.choice.fed.values())
+    for column in draft.evidence.columns:
+        if column.kind == "angle" and not lengths and column.name not in _used(draft):
             yield (
                 f"{column.name} is an angle: if the load hangs on a pulley, say its radius, as in --column "
                 f"{scaling('x', column.name, '20 mm/rad')}"
             )
-    for name, entry in made.mapped.entries.items():
+    for name, entry in draft.mapped.entries.items():
         if entry.words and not set(entry.words.values()) & {"up", "down"}:
             yield (
                 f"nothing tells which way {entry.column or name} means by {listed(entry.words)}: write up or down for "
@@ -425,22 +431,22 @@ def _angles(made: Draft) -> Iterator[str]:
             )
 
 
-def _runs(made: Draft) -> Iterator[str]:
+def _runs(draft: Draft) -> Iterator[str]:
     """Runs that nothing checks, that begin in motion, or that have hardly a row."""
-    over_time = made.points is None
-    held_out = any(role.role == "holdout" for role in made.roles)
-    if not held_out and (made.points is None or not any(made.points.hold_out)):
+    over_time = draft.points is None
+    held_out = any(role.role == "holdout" for role in draft.roles)
+    if not held_out and (draft.points is None or not any(draft.points.hold_out)):
         hint = (
             "; a file may stand under [[runs]] twice, with from and to, as fit and as holdout"
             * over_time
         )
-        runs = runs_in_words(len(made.roles))
+        runs = runs_in_words(len(draft.roles))
         yield f"nothing is held out of {runs}: nothing checks a fit on data it has not seen{hint}"
-    named = list(zip(made.recordings, made.mapped.runs, strict=True)) if over_time else []
+    named = list(zip(draft.recordings, draft.mapped.runs, strict=True)) if over_time else []
     moving = [
         f
         for f, run in named
-        if not (run.first_rest or begins_still(run.time, list(run.every.values())))
+        if not (run.first_rest or begins_still(run.time, list(run.signals.values())))
     ]
     if moving:
         yield f"not at rest at the start, where the model is: {listed(moving)}"
@@ -449,14 +455,14 @@ def _runs(made: Draft) -> Iterator[str]:
         yield f"two rows determine neither noise nor parameters: record more, or leave out {listed(few)}"
 
 
-def _free(made: Draft) -> Iterator[str]:
-    free = [name for name in made.open.free if not made.is_known(name)]
+def _free(draft: Draft) -> Iterator[str]:
+    free = [name for name in draft.open.free if not draft.is_known(name)]
     if free:
         yield f"free for the fit, since nobody calibrated them: {listed(free)}"
-    elif made.open.perhaps:
+    elif draft.open.perhaps:
         yield "nothing is free: see [fit] for what may be, or let diagnose look"
     else:
-        yield f"nothing is free: {_free_example(made.interface)}"
+        yield f"nothing is free: {_free_example(draft.interface)}"
 
 
 def _free_example(interface: Interface) -> str:
@@ -464,8 +470,8 @@ def _free_example(interface: Interface) -> str:
     for name, v in interface.parameters.items():
         if v.kind == "Real" and v.start:
             low, high = sorted((v.start / 2, 2 * v.start))
-            near = replace(v, min=max(low, _or(v.min, low)), max=min(high, _or(v.max, high)))
-            return f"write under [fit] what a fit may change, such as {bounds(name, near)}"
+            limited = replace(v, min=max(low, _or(v.min, low)), max=min(high, _or(v.max, high)))
+            return f"write under [fit] what a fit may change, such as {bounds(name, limited)}"
     return "the model has no parameter that a fit can change"
 
 

@@ -85,13 +85,13 @@ def places_of(name: str, sources: Sequence[Source], option: str = "") -> list[in
     """
     called = [
         i
-        for i, one in enumerate(sources)
-        if any(matches(own, name) for own in (one.name, one.file.stem, one.file.name))
+        for i, source in enumerate(sources)
+        if any(matches(label, name) for label in (source.name, source.file.stem, source.file.name))
     ]
     if not called:
-        known = [one.name for one in sources]
+        names = [source.name for source in sources]
         raise InputError(
-            f"{option}there is no recording {shown(name)}; {did_you_mean(name, known)}"
+            f"{option}there is no recording {shown(name)}; {did_you_mean(name, names)}"
         )
     return called
 
@@ -102,20 +102,20 @@ def recording_table(settings: Mapping[str, object]) -> RecordingTable:
     Raises:
         InputError: there is no such key, or its value cannot be used.
     """
-    known = [name for name in RecordingTable.model_fields if name != "resample"]
+    keys = [name for name in RecordingTable.model_fields if name != "resample"]
     for name in settings:
-        if name not in known:
+        if name not in keys:
             raise InputError(
-                f"there is no key {shown(name)} of [recording]; {did_you_mean(name, known)}"
+                f"there is no key {shown(name)} of [recording]; {did_you_mean(name, keys)}"
             )
     try:
         return RecordingTable.model_validate(
             {n: _setting(n, value) for n, value in settings.items()}
         )
     except ValidationError as error:
-        one = error.errors(include_url=False)[0]
+        problem = error.errors(include_url=False)[0]
         raise InputError(
-            f"[recording] {one['loc'][0]}: {shown(one['input'])} cannot be used: {one['msg']}"
+            f"[recording] {problem['loc'][0]}: {shown(problem['input'])} cannot be used: {problem['msg']}"
         ) from None
 
 
@@ -128,7 +128,7 @@ def _setting(name: str, value: object) -> object:
     if value.strip().startswith("["):
         with suppress(tomllib.TOMLDecodeError):
             return tomllib.loads(f"list = {value}")["list"]
-    return [one.strip() for one in value.split(",")]
+    return [part.strip() for part in value.split(",")]
 
 
 def read_sources(files: Sequence[Path], stated: RecordingTable, headings: Headings) -> list[Source]:
@@ -141,7 +141,7 @@ def read_sources(files: Sequence[Path], stated: RecordingTable, headings: Headin
     layout = replace(layout, missing=layout.missing.union(MISSING))
     texts = [_texts(file, layout) for file in files]
     words = _directions(texts, headings)
-    return [_source(f, layout, own, words, headings) for f, own in zip(files, texts, strict=True)]
+    return [_source(f, layout, t, words, headings) for f, t in zip(files, texts, strict=True)]
 
 
 def _texts(file: Path, layout: Layout) -> dict[str, tuple[str, ...]]:
@@ -156,8 +156,8 @@ def _directions(
 ) -> dict[str, tuple[str, ...]]:
     """The different words of each column that tells a direction, in all files together."""
     words: dict[str, tuple[str, ...]] = {}
-    for heading in dict.fromkeys(heading for own in texts for heading in own):
-        cells = tuple(dict.fromkeys(c.casefold() for own in texts for c in own.get(heading, ())))
+    for heading in dict.fromkeys(heading for t in texts for heading in t):
+        cells = tuple(dict.fromkeys(c.casefold() for t in texts for c in t.get(heading, ())))
         meaning = headings.read(heading, "").meaning
         named = meaning is not None and meaning.kind == "direction"
         if len(cells) <= _MOST_WORDS and (named or all(map(headings.direction_word, cells))):
@@ -173,8 +173,8 @@ def _source(
     headings: Headings,
 ) -> Source:
     left_out = [h for h, cells in texts.items() if h not in words and not are_switch_words(cells)]
-    own = {heading: cells for heading, cells in words.items() if heading in texts}
-    codes = {h: {cell: float(i) for i, cell in enumerate(cells)} for h, cells in own.items()}
+    file_words = {heading: cells for heading, cells in words.items() if heading in texts}
+    codes = {h: {cell: float(i) for i, cell in enumerate(cells)} for h, cells in file_words.items()}
     try:
         table = read_table(file, replace(layout, ignore=(*layout.ignore, *left_out), words=codes))
     except InputError as error:
@@ -191,7 +191,14 @@ def _source(
     )
     remarks = _remarks(file, layout, table)
     return Source(
-        file, with_clocks_going_on(table), tuple(left_out), own, labels, clocks, None, remarks
+        file,
+        with_clocks_going_on(table),
+        tuple(left_out),
+        file_words,
+        labels,
+        clocks,
+        None,
+        remarks,
     )
 
 
@@ -217,8 +224,8 @@ def _with_hint(error: InputError) -> InputError:
         here = " (here: --recording 'names=time [s],p [kPa]', a name for each column)"
     elif "[recording]" in error.message:
         key = _STATED.search(error.message)
-        said = shown(f"{key[1]}={key[2] or key[3]}") if key else "KEY=VALUE"
-        here = f" (here: --recording {said})"
+        setting = shown(f"{key[1]}={key[2] or key[3]}") if key else "KEY=VALUE"
+        here = f" (here: --recording {setting})"
     return InputError(f"{error.message}{here}", error.file, error.line, error.column)
 
 

@@ -70,69 +70,69 @@ class PointsDraft:
 
 
 def roles(
-    runs: Sequence[MappedRun], interface: Interface, own: Sequence[Mapping[str, float]] = ()
+    runs: Sequence[MappedRun], interface: Interface, run_values: Sequence[Mapping[str, float]] = ()
 ) -> list[Role]:
     """One for each recording.
 
     A quarter is held out, each the one that differs most from its nearest neighbour among those that are fitted while
     its traits (level and pace of each signal, what is known of it) lie between theirs; else the one least outside.
     """
-    made = [Role("fit") for _ in runs]
+    result = [Role("fit") for _ in runs]
     if len(runs) < _RUNS_TO_HOLD_OUT:
-        return made
+        return result
     traits = {
         name: (unit, values)
-        for name, (unit, values) in _traits(runs, interface, own).items()
+        for name, (unit, values) in _traits(runs, interface, run_values).items()
         if np.isfinite(values).all() and span(values) > _SAME_TRAIT * float(np.max(np.abs(values)))
     }
     if not traits:
-        made[-1] = Role("holdout", "the last: as far as is seen, all are alike")
-        return made
+        result[-1] = Role("holdout", "the last: as far as is seen, all are alike")
+        return result
     scaled = np.array([(v - v.min()) / span(v) for _, v in traits.values()]).T
-    left = list(range(len(runs)))
+    fitted = list(range(len(runs)))
     for _ in range(max(1, round(_HELD_OUT_SHARE * len(runs)))):
-        others = {i: scaled[[k for k in left if k != i]] for i in left}
+        other_traits = {i: scaled[[k for k in fitted if k != i]] for i in fitted}
         outside = {
             i: np.maximum(o.min(axis=0) - scaled[i], 0.0) + np.maximum(scaled[i] - o.max(axis=0), 0.0)
-            for i, o in others.items()
+            for i, o in other_traits.items()
         }  # fmt: skip
-        apart = {i: np.abs(o - scaled[i]) for i, o in others.items()}
+        apart = {i: np.abs(o - scaled[i]) for i, o in other_traits.items()}
         nearest = {i: a[int(np.argmin((a**2).sum(axis=1)))] for i, a in apart.items()}
-        chosen = min(left, key=lambda i: (outside[i].sum().round(9), -float((nearest[i]**2).sum()), i))  # fmt: skip
-        left.remove(chosen)
+        chosen = min(fitted, key=lambda i: (outside[i].sum().round(9), -float((nearest[i]**2).sum()), i))  # fmt: skip
+        fitted.remove(chosen)
         within = not outside[chosen].any()
         name = list(traits)[int(np.argmax(nearest[chosen] if within else outside[chosen]))]
         unit, values = traits[name]
-        ends = float(values[chosen]), float(np.min(values[left])), float(np.max(values[left]))
-        said, *span_of = (format_quantity(v, unit) for v in ends)
+        ends = float(values[chosen]), float(np.min(values[fitted])), float(np.max(values[fitted]))
+        level, *span_of = (format_quantity(v, unit) for v in ends)
         how = "none lies within what the others span, and this one goes least beyond it"
         if within:
             how = "it lies within what the fitted runs span and differs from each"
-        made[chosen] = Role("holdout", f"{how}: {name} {said}, theirs {' to '.join(span_of)}")
-    return made
+        result[chosen] = Role("holdout", f"{how}: {name} {level}, theirs {' to '.join(span_of)}")
+    return result
 
 
 def _traits(
-    runs: Sequence[MappedRun], interface: Interface, own: Sequence[Mapping[str, float]]
+    runs: Sequence[MappedRun], interface: Interface, run_values: Sequence[Mapping[str, float]]
 ) -> dict[str, tuple[str, Array]]:
     """Numbers of each recording with their units: mean and pace of each signal, what is known of it; NaN: none."""
     variables = {**interface.inputs, **interface.outputs, **interface.parameters}
     traits = {}
-    for name in dict.fromkeys(name for run in runs for name in run.every):
+    for name in dict.fromkeys(name for run in runs for name in run.signals):
         unit = variables[name].unit
-        read = [run.every.get(name, np.full(1, np.nan)) for run in runs]
-        kept = [one[np.isfinite(one)] for one in read]
-        means = [float(np.mean(one)) if one.size else np.nan for one in kept]
+        read = [run.signals.get(name, np.full(1, np.nan)) for run in runs]
+        kept = [samples[np.isfinite(samples)] for samples in read]
+        means = [float(np.mean(v)) if v.size else np.nan for v in kept]
         paces = [
-            _travel(one) / (float(np.ptp(run.time)) or np.inf)
-            for one, run in zip(read, runs, strict=True)
+            _travel(samples) / (float(np.ptp(run.time)) or np.inf)
+            for samples, run in zip(read, runs, strict=True)
         ]
         traits[f"mean of {name}"] = unit, np.array(means)
-        if not all(is_constant(one) for one in read):
+        if not all(is_constant(samples) for samples in read):
             traits[f"pace of {name}"] = f"{unit}/s", np.where(np.isnan(means), np.nan, paces)
-    for name in dict.fromkeys(name for values in own for name in values):
-        known = np.array([values.get(name, np.nan) for values in own])
-        traits[name] = variables[name].unit, known
+    for name in dict.fromkeys(name for values in run_values for name in values):
+        constants = np.array([values.get(name, np.nan) for values in run_values])
+        traits[name] = variables[name].unit, constants
     return traits
 
 
@@ -149,17 +149,17 @@ def stated_roles(
     Raises:
         InputError: there is no such recording or role, or none would be left to fit.
     """
-    made = list(guessed)
+    result = list(guessed)
     for name, role in patterns_first(stated):
         if role not in ROLES:
             raise InputError(
                 f"{shown(role)} is no role of a recording; it is one of {', '.join(ROLES)}"
             )
         for i in places_of(name, sources):
-            made[i] = Role(role)
-    if not any(one.role == "fit" for one in made):
+            result[i] = Role(role)
+    if not any(r.role == "fit" for r in result):
         raise InputError("no recording would be left to fit")
-    return made
+    return result
 
 
 # ---- conventions of a logger: between samples, and noise -------------------------------------------------------------
@@ -179,29 +179,29 @@ def interpolation_of(columns: Sequence[RecordedColumn], headings: Headings) -> s
 
 def sigma_of(name: str, unit: str, runs: Sequence[MappedRun], files: Sequence[Path]) -> Sigma:
     """The median over the recordings, each of its longest rest."""
-    told = []
+    estimates = []
     for run, file in zip(runs, files, strict=True):
         values = run.outputs.get(name)
-        if values is None or not run.rest:
+        if values is None or not run.rests:
             continue
-        rest = max(run.rest, key=lambda one: one.count)
-        sigma, step = noise_at_rest(run.time, values, rest)
+        longest = max(run.rests, key=lambda r: r.count)
+        sigma, step = noise_at_rest(run.time, values, longest)
         if sigma > 0.0:
-            told.append((sigma, step, rest, run, file))
-    if not told:
+            estimates.append((sigma, step, longest, run, file))
+    if not estimates:
         return Sigma(None, f"{_why_none(name, runs)}: the software estimates it from the samples")
-    value = float(np.median([one[0] for one in told]))
-    _, step, rest, run, file = max(told, key=lambda one: one[2].count)
-    first, last = (round(float(run.time[i]), 3) for i in (rest.start, rest.stop - 1))
+    value = float(np.median([e[0] for e in estimates]))
+    _, step, longest, run, file = max(estimates, key=lambda e: e[2].count)
+    first, last = (round(float(run.time[i]), 3) for i in (longest.start, longest.stop - 1))
     where = f"from {first:.15g} s to {last:.15g} s of {file.name}, where nothing moves"
     steps = f"; recorded in steps of {format_quantity(step, unit)}" if step > value else ""
-    more = f" (median of {len(told)} recordings)" if len(told) > 1 else ""
+    more = f" (median of {len(estimates)} recordings)" if len(estimates) > 1 else ""
     return Sigma(value, f"the scatter of neighbouring samples {where}{more}{steps}")
 
 
 def _why_none(name: str, runs: Sequence[MappedRun]) -> str:
     """Why the recordings tell no noise."""
-    if not any(run.rest for run in runs):
+    if not any(run.rests for run in runs):
         return "nothing is at rest long enough"
     values = [run.outputs[name] for run in runs if name in run.outputs]
     if values and marker_of(np.concatenate(values)) is not None:
@@ -213,27 +213,26 @@ def _why_none(name: str, runs: Sequence[MappedRun]) -> str:
 
 
 def check_imposed(
-    unfed: Sequence[str], known: Sequence[Collection[str]], interface: Interface
+    unfed: Sequence[str], stated: Sequence[Collection[str]], interface: Interface
 ) -> None:
     """Checks that every imposed input has a value in each row.
 
     Args:
         unfed: inputs without a column, and without a value in the names of the files.
-        known: by recording, names of the values that the user states.
+        stated: by recording, names of the values that the user states.
         interface: of the bench.
 
     Raises:
         InputError: an imposed input has no value; the message names the option that states it.
     """
-    missing = [name for name in unfed if not all(name in own for own in known)]
+    missing = [name for name in unfed if not all(name in names for names in stated)]
     if missing:
-        one = interface.inputs[missing[0]]
-        unit = {"Pa": "kPa", "m": "mm"}.get(one.unit, readable_unit(one.unit))
-        what = one.description[:1].lower() + one.description[1:]
-        say = f"--parameter '{one.name}=0 {unit}' for all rows, or --parameter '{one.name}@FILE=0 {unit}' for each file"
-        raise InputError(
-            f"no column and no file's name tells the {what} ({one.name}); say it: {say}"
-        )
+        variable = interface.inputs[missing[0]]
+        unit = {"Pa": "kPa", "m": "mm"}.get(variable.unit, readable_unit(variable.unit))
+        what = variable.description[:1].lower() + variable.description[1:]
+        name = variable.name
+        say = f"--parameter '{name}=0 {unit}' for all rows, or --parameter '{name}@FILE=0 {unit}' for each file"
+        raise InputError(f"no column and no file's name tells the {what} ({name}); say it: {say}")
 
 
 def points_draft(
@@ -256,10 +255,10 @@ def points_draft(
     rows = [_imposed(run) for run in runs]
     branch = [""] * len(runs)
     if not any(BRANCH in run.inputs for run in runs):
-        branch = _in_names(files, headings) or _by_order([_ways(own, units) for own in rows])
+        branch = _in_names(files, headings) or _by_order([_ways(inputs, units) for inputs in rows])
     hold_out: list[dict[str, list[str]]] = [
-        {} if by_run else _held_out(own, run.outputs, interface)
-        for own, run in zip(rows, runs, strict=True)
+        {} if by_run else _held_out(inputs, run.outputs, interface)
+        for inputs, run in zip(rows, runs, strict=True)
     ]
     return PointsDraft(tuple(branch), tuple(hold_out))
 
@@ -267,10 +266,10 @@ def points_draft(
 def _in_names(files: Sequence[Path], headings: Headings) -> list[str]:
     """up or down for each file, where every name says one of them, and both are said; none where they do not."""
     words = [[word for word in split_words(file.stem) if len(word) > 1] for file in files]
-    said = [{way for way in map(headings.direction_word, own) if way} for own in words]
-    if not all(len(own) == 1 for own in said) or len(set[int]().union(*said)) != 2:
+    ways = [set(map(headings.direction_word, file_words)) - {0} for file_words in words]
+    if not all(len(way) == 1 for way in ways) or len(set[int]().union(*ways)) != 2:
         return []
-    return [SENSES[own.pop()] for own in said]
+    return [SENSES[way.pop()] for way in ways]
 
 
 def _ways(inputs: Mapping[str, Array], units: Mapping[str, str]) -> Array:
@@ -279,20 +278,20 @@ def _ways(inputs: Mapping[str, Array], units: Mapping[str, str]) -> Array:
     return directions(inputs, first)[0] if first else np.zeros(1)
 
 
-def _by_order(ways: Sequence[Array]) -> list[str]:
+def _by_order(senses: Sequence[Array]) -> list[str]:
     """ "order" where rows go up and come back, in a file or from one to another; "" for all where they do not."""
-    common = {int(np.sign(own[0])) for own in ways if len(own) and bool((own == own[0]).all())}
-    returns = any(min(np.sum(own > 0), np.sum(own < 0)) >= ROWS_PER_CURVE for own in ways)
+    common = {int(np.sign(s[0])) for s in senses if len(s) and bool((s == s[0]).all())}
+    returns = any(min(np.sum(s > 0), np.sum(s < 0)) >= ROWS_PER_CURVE for s in senses)
     if not (common >= {1, -1} or returns):
-        return [""] * len(ways)
-    return ["order" if own.any() else "none" for own in ways]
+        return [""] * len(senses)
+    return ["order" if s.any() else "none" for s in senses]
 
 
 def _imposed(run: MappedRun) -> dict[str, Array]:
     """The imposed inputs, in the rows that have a value of each."""
     inputs = {name: values for name, values in run.inputs.items() if name != BRANCH}
-    whole = np.all([np.isfinite(values) for values in inputs.values()], axis=0)
-    return {name: values[whole] for name, values in inputs.items()}
+    complete = np.all([np.isfinite(values) for values in inputs.values()], axis=0)
+    return {name: values[complete] for name, values in inputs.items()}
 
 
 def _held_out(
@@ -300,13 +299,13 @@ def _held_out(
 ) -> dict[str, list[str]]:
     """Values of the input with the most levels, within the span of the others; none where there are few levels."""
     count = len(next(iter(inputs.values())))
-    found = curves(inputs, {n: v for n, v in outputs.items() if len(v) == count})
-    along = found[0].along
-    least = dict.fromkeys(found[0].at, _LEVELS_TO_HOLD_OUT) | {along: _POINTS_TO_HOLD_OUT}
-    if len(found) > 1:
+    branches = curves(inputs, {n: v for n, v in outputs.items() if len(v) == count})
+    along = branches[0].along
+    least = dict.fromkeys(branches[0].at, _LEVELS_TO_HOLD_OUT) | {along: _POINTS_TO_HOLD_OUT}
+    if len(branches) > 1:
         least[along] = _LEVELS_TO_HOLD_OUT
-    every = {name: _levels(inputs[name]) for name in least}
-    able = {name: values for name, values in every.items() if len(values) >= least[name]}
+    levels_by_input = {name: _levels(inputs[name]) for name in least}
+    able = {name: values for name, values in levels_by_input.items() if len(values) >= least[name]}
     if not able:
         return {}
     name, values = max(able.items(), key=lambda one: len(one[1]))
@@ -318,8 +317,8 @@ def _held_out(
 def _levels(values: Array) -> list[float]:
     """The levels that readings repeat, each as it was read; none where the readings do not cluster."""
     exact = np.unique(values)
-    near = VALUE_TOLERANCE * span(values)
-    is_apart = float(np.diff(exact).min(initial=np.inf)) > near
+    tolerance = VALUE_TOLERANCE * span(values)
+    is_apart = float(np.diff(exact).min(initial=np.inf)) > tolerance
     if is_apart and ROWS_PER_LEVEL * len(exact) <= len(values):
         return [float(value) for value in exact]
     number = levels(values)
@@ -327,5 +326,7 @@ def _levels(values: Array) -> list[float]:
         return []
     groups = [values[number == k] for k in range(int(number.max(initial=0)) + 1)]
     middle = [float(np.median(group)) for group in groups]
-    clear = all(float(np.max(np.abs(g - m))) <= near for g, m in zip(groups, middle, strict=True))
+    clear = all(
+        float(np.max(np.abs(g - m))) <= tolerance for g, m in zip(groups, middle, strict=True)
+    )
     return middle if clear else []

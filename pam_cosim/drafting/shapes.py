@@ -31,21 +31,21 @@ def noise_of(time: Array, values: Array) -> float:
     count = len(values)
     starts = [0] if count <= PIECE * PIECES else np.linspace(0, count - PIECE, PIECES).astype(int)
     size = count if len(starts) == 1 else PIECE
-    found = [estimate_noise(time[s : s + size], values[s : s + size]) for s in starts]
-    known = [one for one in found if isfinite(one)]
-    return float(np.median(known)) if known else 0.0
+    estimates = [estimate_noise(time[s : s + size], values[s : s + size]) for s in starts]
+    finite = list(filter(isfinite, estimates))
+    return float(np.median(finite)) if finite else 0.0
 
 
-def correlation(one: Mapping[int, Array], other: Mapping[int, Array]) -> float:
+def correlation(first: Mapping[int, Array], second: Mapping[int, Array]) -> float:
     """Between two signals of several recordings, each less its mean in the recording; 0 where one is constant."""
-    shared = [i for i in other if i in one]
+    shared = [i for i in second if i in first]
     a, b = (
         np.concatenate([np.zeros(0), *(signal[i] - np.nanmean(signal[i]) for i in shared)])
-        for signal in (one, other)
+        for signal in (first, second)
     )
-    known = np.isfinite(a) & np.isfinite(b)
-    norm = sqrt(float(np.sum(a[known] ** 2) * np.sum(b[known] ** 2)))
-    return float(np.sum(a[known] * b[known])) / norm if norm else 0.0
+    are_finite = np.isfinite(a) & np.isfinite(b)
+    norm = sqrt(float(np.sum(a[are_finite] ** 2) * np.sum(b[are_finite] ** 2)))
+    return float(np.sum(a[are_finite] * b[are_finite])) / norm if norm else 0.0
 
 
 def is_constant(values: Array) -> bool:
@@ -59,8 +59,8 @@ def is_switch(values: Array) -> bool:
     present = values[np.isfinite(values)]
     if not present.size or span(values) == 0.0:
         return False
-    some = present[:: max(1, len(present) // 100_000)]
-    return len(np.unique(some)) <= 2
+    sample = present[:: max(1, len(present) // 100_000)]
+    return len(np.unique(sample)) <= 2
 
 
 def is_repeated(values: Array) -> bool:
@@ -132,11 +132,11 @@ def rests(time: Array, columns: Sequence[Array]) -> list[Rest]:
         still &= ~moving(time, values)
     edges = np.flatnonzero(np.diff(np.concatenate([[False], still, [False]]).astype(int)))
     ends = [Rest(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True)]
-    known = [
+    described = [
         (_from_lowest(values), noise_of(time, values), REST_BAND * span(values))
         for values in columns
     ]
-    return [level for one in ends for level in _levels(one, known)]
+    return [level for interval in ends for level in _levels(interval, described)]
 
 
 def _from_lowest(values: Array) -> Array:
@@ -153,26 +153,26 @@ def begins_still(time: Array, columns: Sequence[Array]) -> bool:
     )
 
 
-def _levels(rest: Rest, columns: Sequence[tuple[Array, float, float]]) -> list[Rest]:
+def _levels(interval: Rest, columns: Sequence[tuple[Array, float, float]]) -> list[Rest]:
     """The interval, cut into halves as long as these differ: a slow drift is no rest."""
-    if rest.count < CRITERIA.noise.fewest_samples:
+    if interval.count < CRITERIA.noise.fewest_samples:
         return []
-    middle = (rest.start + rest.stop) // 2
-    halves = Rest(rest.start, middle), Rest(middle, rest.stop)
-    band = _NOISE_BAND * 2.0 / sqrt(rest.count)
+    middle = (interval.start + interval.stop) // 2
+    halves = Rest(interval.start, middle), Rest(middle, interval.stop)
+    band = _NOISE_BAND * 2.0 / sqrt(interval.count)
     for values, noise, least in columns:
-        one, other = (values[half.start : half.stop] for half in halves)
-        if not (np.isfinite(one).any() and np.isfinite(other).any()):
+        first, second = (values[half.start : half.stop] for half in halves)
+        if not (np.isfinite(first).any() and np.isfinite(second).any()):
             continue
-        if abs(float(np.nanmean(other)) - float(np.nanmean(one))) > max(band * noise, least):
+        if abs(float(np.nanmean(second)) - float(np.nanmean(first))) > max(band * noise, least):
             return [level for half in halves for level in _levels(half, columns)]
-    return [rest]
+    return [interval]
 
 
-def noise_at_rest(time: Array, values: Array, rest: Rest) -> tuple[float, float]:
+def noise_at_rest(time: Array, values: Array, interval: Rest) -> tuple[float, float]:
     """Standard deviation at rest and the step of the record (0: none); 0 where the samples show neither."""
     most = PIECE * PIECES
-    inside = slice(rest.start, min(rest.stop, rest.start + most))
+    inside = slice(interval.start, min(interval.stop, interval.start + most))
     step = record_step(values[:most])
     sigma = estimate_noise(time[inside], values[inside])
     if not isfinite(sigma):

@@ -44,7 +44,7 @@ class SeveralClocks(Exception):  # noqa: N818 -- it asks for other rows
 
 
 def with_time(
-    columns: Sequence[RecordedColumn], asked: str | None, headings: Headings
+    columns: Sequence[RecordedColumn], requested: str | None, headings: Headings
 ) -> tuple[list[RecordedColumn], RecordedColumn | None]:
     """The columns with one of time at most, and that.
 
@@ -52,13 +52,13 @@ def with_time(
         InputError: the column that is asked for is in no file.
         SeveralClocks: a second clock runs differently.
     """
-    if asked is None:
+    if requested is None:
         wanted, why = _likely_time(columns)
     else:
-        wanted, why = next((c for c in columns if c.name == asked), None), ()
+        wanted, why = next((c for c in columns if c.name == requested), None), ()
         if wanted is None:
-            hint = did_you_mean(asked, [c.name for c in columns])
-            raise InputError(f"no file has a column {shown(asked)}; {hint}")
+            hint = did_you_mean(requested, [c.name for c in columns])
+            raise InputError(f"no file has a column {shown(requested)}; {hint}")
     if wanted is None:
         return list(columns), None
     unit, more = _unit_of(wanted, headings)
@@ -83,9 +83,9 @@ def _likely_time(
     called = [c for c in columns if c.of("time")]
     rising = [c for c in called if _rises(c)]
     if rising:  # a date may be written no finer than in seconds
-        return max(rising, key=lambda c: (not c.since, c.known)), ()
+        return max(rising, key=lambda c: (not c.since, c.known_share)), ()
     labview = next((c for c in columns if _LABVIEW.fullmatch(c.name) and _runs(c)), None)
-    if labview is not None and not any(one.unit.strip() for one in labview.places.values()):
+    if labview is not None and not any(place.unit.strip() for place in labview.places.values()):
         return labview, ("LabVIEW calls the time so, and its numbers rise from row to row",)
     unknown = [
         c for c in columns if c.meaning is None and not UNNAMED.fullmatch(c.name) and _runs(c)
@@ -128,18 +128,18 @@ def _beside(
 
 def _rises(column: RecordedColumn) -> bool:
     """Whether no value is less than one before it; a column that is shorter than others has empty cells."""
-    known = [values[np.isfinite(values)] for values in column.values.values()]
-    return bool(known) and all(
-        one.size > 1 and bool((np.diff(one) >= 0).all()) and bool(one[-1] > one[0]) for one in known
+    finite = [values[np.isfinite(values)] for values in column.values.values()]
+    return bool(finite) and all(
+        v.size > 1 and bool((np.diff(v) >= 0).all()) and bool(v[-1] > v[0]) for v in finite
     )
 
 
 def _runs(column: RecordedColumn) -> bool:
     """Whether numbers of which nobody knows what they are rise in every row, and about evenly: as a clock does."""
-    steps = [np.diff(one) for one in column.values.values() if len(one) > 1]
+    steps = [np.diff(v) for v in column.values.values() if len(v) > 1]
     return bool(steps) and all(
-        bool((one > 0.0).all()) and float(one.max()) <= LONGEST_STEP * float(np.median(one))
-        for one in steps
+        bool((step > 0.0).all()) and float(step.max()) <= LONGEST_STEP * float(np.median(step))
+        for step in steps
     )
 
 
@@ -155,17 +155,17 @@ def _unit_of(column: RecordedColumn, headings: Headings) -> tuple[str, tuple[str
 
 def _guessed_unit(column: RecordedColumn) -> tuple[str, tuple[str, ...]]:
     """``ms`` to ``ns`` of a long recording whose numbers are whole, days of a spreadsheet, else ``s``; and why."""
-    steps = np.concatenate([np.diff(one) for one in column.values.values()] or [np.empty(0)])
-    known = steps[np.isfinite(steps)]
-    step = float(np.median(known)) if known.size else 0.0
-    whole = bool((column.every == np.round(column.every)).all())
-    longest = max((len(one) for one in column.values.values()), default=0)
-    first = float(column.every[0]) if column.every.size else 0.0
+    steps = np.concatenate([np.diff(v) for v in column.values.values()] or [np.empty(0)])
+    finite = steps[np.isfinite(steps)]
+    step = float(np.median(finite)) if finite.size else 0.0
+    is_integer = bool((column.samples == np.round(column.samples)).all())
+    longest = max(map(len, column.values.values()), default=0)
+    first = float(column.samples[0]) if column.samples.size else 0.0
     unit = "s"
-    if whole and longest >= CRITERIA.noise.fewest_samples:
+    if is_integer and longest >= CRITERIA.noise.fewest_samples:
         unit = _first_above(abs(first), _EPOCHS) or _first_above(step, _STEPS)
     elif 0.0 < step < _SHORTEST_STEP:
-        within = all(one[0] >= 0.0 and one[-1] < 1.0 for one in column.values.values())
+        within = all(v[0] >= 0.0 and v[-1] < 1.0 for v in column.values.values())
         short = max(map(span, column.values.values())) < _SHORTEST_RECORDING
         unit = "d" if _DAYS[0] <= first <= _DAYS[1] or (within and short) else "s"
     return unit, (f"{NO_UNIT}; steps of {step:.4g} are taken as {unit}",)
@@ -267,11 +267,11 @@ def even_interval(times: Sequence[Array]) -> str | None:
     Args:
         times: (n,) [s] of each recording.
     """
-    found = [_interval(one) for one in times]
-    if not found or found[0] is None or None in found:
+    intervals = list(map(_interval, times))
+    if not intervals or intervals[0] is None or None in intervals:
         return None
-    steps = [usual_step(np.diff(one)) for one in times]
-    interval = _rounded(found[0], len(times[0]), steps[0])
+    steps = [usual_step(np.diff(time)) for time in times]
+    interval = _rounded(intervals[0], len(times[0]), steps[0])
     even = all(
         np.ptp(t - t[0] - interval * np.arange(len(t))) <= 1.5 * s
         for t, s in zip(times, steps, strict=True)
@@ -306,11 +306,11 @@ def _difference(
     """
     late = []
     for i in first.keys() & other.keys():
-        one, another = (
+        first_time, other_time = (
             convert(v[i], u, "s") for v, u in ((first, first_unit), (other, other_unit))
         )
-        apart = another - one
-        step = max(usual_step(np.diff(one)), usual_step(np.diff(another)))
+        apart = other_time - first_time
+        step = max(usual_step(np.diff(first_time)), usual_step(np.diff(other_time)))
         if not np.isfinite(apart).all() or float(np.ptp(apart)) > step:
             return None
         late.append(float(np.median(apart)))
@@ -320,7 +320,7 @@ def _difference(
 def with_one_clock(
     sources: Sequence[Source],
     columns: Sequence[RecordedColumn],
-    found: SeveralClocks,
+    clocks: SeveralClocks,
     headings: Headings,
 ) -> list[Source]:
     """The recordings with a row for each time of any clock, on that of the first; they are written anew.
@@ -330,29 +330,35 @@ def with_one_clock(
     """
     commands = {c.name for c in columns if c.kind in ("command", "current", "voltage")}
     commands |= {c.name for c in columns if c.meaning and "set" in c.meaning.roles}
-    made = []
+    merged = []
     for source in sources:
-        every, first = source.table.columns, found.time.name
-        own = {n: every[n] for n in found.units if n in every}
-        if len(own) < 2 or first not in own:
-            made.append(replace(source, is_merged=True))
+        recorded, first = source.table.columns, clocks.time.name
+        clock_columns = {n: recorded[n] for n in clocks.units if n in recorded}
+        if len(clock_columns) < 2 or first not in clock_columns:
+            merged.append(replace(source, is_merged=True))
             continue
-        groups = {name: _headed(name, source.table, own, headings) for name in own}
-        clock_of = {n: next((c for c, g in groups.items() if n in g), first) for n in every}
-        imposed = {n for n in every if (n in commands if commands else clock_of[n] == first)} - {
-            *own
+        groups = {
+            name: _headed(name, source.table, clock_columns, headings) for name in clock_columns
         }
-        times = {n: convert(c.values, found.units[n] or "s", "s") for n, c in own.items()}
-        known = {n: np.isfinite(times[clock_of[n]]) & np.isfinite(every[n].values) for n in every}
-        at = {n: times[clock_of[n]][known[n]] for n in every}
+        clock_of = {n: next((c for c, g in groups.items() if n in g), first) for n in recorded}
+        imposed = {n for n in recorded if (n in commands if commands else clock_of[n] == first)} - {
+            *clock_columns
+        }
+        times = {
+            n: convert(c.values, clocks.units[n] or "s", "s") for n, c in clock_columns.items()
+        }
+        has_value = {
+            n: np.isfinite(times[clock_of[n]]) & np.isfinite(recorded[n].values) for n in recorded
+        }
+        at = {n: times[clock_of[n]][has_value[n]] for n in recorded}
         imposed = {n for n in imposed if len(at[n])}
-        rows = np.unique(np.concatenate([one[np.isfinite(one)] for one in times.values()]))
+        rows = np.unique(np.concatenate([t[np.isfinite(t)] for t in times.values()]))
         for name in imposed:  # nothing is known of it before and after
             rows = rows[(rows >= at[name][0]) & (rows <= at[name][-1])]
-        unit = found.units[first] or "s"
+        unit = clocks.units[first] or "s"
         table = {first: Column(first, unit, convert(rows, "s", unit))}
-        for name in (n for n in every if n not in own):
-            values = every[name].values[known[name]]
+        for name in (n for n in recorded if n not in clock_columns):
+            values = recorded[name].values[has_value[name]]
             place = np.clip(np.searchsorted(at[name], rows, side="right") - 1, 0, None)
             if name in imposed and not is_held(values):
                 filled = np.interp(rows, at[name], values)
@@ -362,11 +368,11 @@ def with_one_clock(
                 there = np.isin(rows, at[name])
                 filled = np.full(len(rows), np.nan)
                 filled[there] = values[place[there]]
-            table[name] = replace(every[name], values=filled)
-        made.append(
+            table[name] = replace(recorded[name], values=filled)
+        merged.append(
             replace(source, table=replace(source.table, columns=table, lines=None), is_merged=True)
         )
-    return made
+    return merged
 
 
 def _headed(
@@ -374,10 +380,10 @@ def _headed(
 ) -> tuple[str, ...]:
     """The column of which a clock has the times by its name, or those between it and the next clock."""
     names = [name for name in table.columns if name not in clocks]
-    named = {one: headings.time_of(one, names) for one in clocks}
+    named = {c: headings.time_of(c, names) for c in clocks}
     if all(named.values()):
         return (named[clock],)
-    every = list(table.columns)
-    behind = every[every.index(clock) + 1 :]
+    in_order = list(table.columns)
+    behind = in_order[in_order.index(clock) + 1 :]
     end = next((i for i, name in enumerate(behind) if name in clocks), len(behind))
     return tuple(behind[:end])

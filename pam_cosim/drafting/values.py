@@ -63,13 +63,15 @@ def with_full_names(evidence: Evidence, interface: Interface) -> Evidence:
     settable = {**interface.parameters, **interface.inputs}
 
     def full(name: str) -> str:
-        longer = [one for one in settable if name not in settable and has_parts(name, one)]
+        longer = [n for n in settable if name not in settable and has_parts(name, n)]
         return longer[0] if len(longer) == 1 else name
 
     return replace(
         evidence,
         stated={full(name): value for name, value in evidence.stated.items()},
-        own=tuple({full(n): value for n, value in run.items()} for run in evidence.own),
+        run_parameters=tuple(
+            {full(n): value for n, value in run.items()} for run in evidence.run_parameters
+        ),
     )
 
 
@@ -80,8 +82,8 @@ def with_length(evidence: Evidence, bench: Bench) -> Evidence:
         return evidence
     column = next((c for c in evidence.columns if c.meaning == AT_REST), None)
     length = bench.length
-    if column is not None and span(column.every) == 0.0:
-        length = text_of(float(convert(column.every[0], column.unit, "m")), "m")
+    if column is not None and span(column.samples) == 0.0:
+        length = text_of(float(convert(column.samples[0], column.unit, "m")), "m")
     elif length:
         nominal, longest = parse_quantity(length, "m"), longest_of(bench.choice)
         if longest is not None and abs(longest - nominal) <= _NOMINAL_TOLERANCE * nominal:
@@ -100,21 +102,21 @@ def following(stated: Mapping[str, str], interface: Interface) -> dict[str, str]
 
 
 def _following(owner: str, stated: Mapping[str, str], interface: Interface) -> list[str]:
-    names = [owner + one for one in _MEASURES]
+    names = [owner + measure for measure in _MEASURES]
     if not all(name in interface.parameters for name in names):
         return []
-    said = [
+    stated_names = [
         n for n in names if n in stated and parse_quantity(stated[n], interface.parameters[n].unit)
     ]
-    left = [name for name in names if name not in stated and interface.parameters[name].start]
-    if len(said) + len(left) <= _ENOUGH or not left:
+    defaults = [name for name in names if name not in stated and interface.parameters[name].start]
+    if len(stated_names) + len(defaults) <= _ENOUGH or not defaults:
         return []
-    if len(said) >= _ENOUGH and {*said} & {owner + one for one in _AROUND}:
-        return left
-    hint = " or ".join(f"--parameter {name}=0" for name in left)
+    if len(stated_names) >= _ENOUGH and {*stated_names} & {owner + measure for measure in _AROUND}:
+        return defaults
+    hint = " or ".join(f"--parameter {name}=0" for name in defaults)
     raise InputError(
-        f"the sleeve is determined by three of {listed(names)}: {listed(said)} is stated, and the default of "
-        f"{listed(left)} holds too; state three, or say what shall follow from the others: {hint}"
+        f"the sleeve is determined by three of {listed(names)}: {listed(stated_names)} is stated, and the default of "
+        f"{listed(defaults)} holds too; state three, or say what shall follow from the others: {hint}"
     )
 
 
@@ -123,11 +125,13 @@ def neutral(evidence: Evidence, bench: Bench) -> dict[str, str]:
     if bench.muscle or evidence.points:
         return {}
     values = dict(evidence.headings.vocabulary.neutral)
-    own = {n: n.rpartition(".")[2] for n in bench.interface.parameters if n not in evidence.stated}
+    last_names = {
+        n: n.rpartition(".")[2] for n in bench.interface.parameters if n not in evidence.stated
+    }
     owners = {n.rpartition(".")[0] for n in evidence.stated if n.rpartition(".")[2] in values}
     return {
         n: values[short]
-        for n, short in own.items()
+        for n, short in last_names.items()
         if short in values and n.rpartition(".")[0] not in owners
     }
 
@@ -141,40 +145,44 @@ def values_told(evidence: Evidence, bench: Bench, mapped: Mapped) -> list[dict[s
     Where an input begins, loads in its name, what its columns hold besides, remarks above its rows, the user.
     """
     interface, headings = bench.interface, evidence.headings
-    left = [
+    unused = [
         c for c in evidence.columns if c not in bench.choice.fed.values() and c.meaning and c.unit
     ]
     loads = _loads(evidence, interface)
-    told = []
+    by_run = []
     for i in range(len(evidence.sources)):
-        own = loads[i] if evidence.points else {**_starts(mapped.runs[i], interface), **loads[i]}
-        for column in left:
-            own |= _of_column(column, i, interface, headings)
-        own |= _of_remarks(i, evidence, bench)
+        values = loads[i] if evidence.points else {**_starts(mapped.runs[i], interface), **loads[i]}
+        for column in unused:
+            values |= _of_column(column, i, interface, headings)
+        values |= _of_remarks(i, evidence, bench)
         variables = {**interface.parameters, **interface.inputs}
-        for name, value in evidence.own[i].items():
+        for name, value in evidence.run_parameters[i].items():
             number = parse_quantity(value, variables[name].unit) if name in variables else 0.0
-            own[name] = StatedValue(value, number, "")
-        told.append({name: one for name, one in own.items() if name not in evidence.stated})
-    return told
+            values[name] = StatedValue(value, number, "")
+        by_run.append({n: v for n, v in values.items() if n not in evidence.stated})
+    return by_run
 
 
 def _starts(run: MappedRun, interface: Interface) -> dict[str, StatedValue]:
     """Starts of what an input drives, as ``drive.s_start`` of ``s``; those of measured states are estimated."""
-    told = {}
+    starts = {}
     for name, parameter in interface.parameters.items():
         signal = name.rpartition(".")[2].removesuffix("_start")
         values = run.inputs.get(signal)
         if not name.endswith("_start") or values is None or not np.isfinite(values).any():
             continue
-        rest = run.first_rest
-        part = values[rest.start : rest.stop] if rest else values[np.isfinite(values)][:1]
+        first_rest = run.first_rest
+        part = (
+            values[first_rest.start : first_rest.stop]
+            if first_rest
+            else values[np.isfinite(values)][:1]
+        )
         first = float(np.nanmean(part))
         if abs(first - (parameter.start or 0.0)) > REST_BAND * span(values) and _is_possible(
             first, parameter
         ):
-            told[name] = StatedValue(text_of(first, parameter.unit), first, f"{signal} begins so")
-    return told
+            starts[name] = StatedValue(text_of(first, parameter.unit), first, f"{signal} begins so")
+    return starts
 
 
 def _of_column(
@@ -199,7 +207,7 @@ def _of_column(
 
 def _of_remarks(i: int, evidence: Evidence, bench: Bench) -> dict[str, StatedValue]:
     """What lines above the rows state, of a parameter or of an input that no column feeds."""
-    told: dict[str, StatedValue] = {}
+    values: dict[str, StatedValue] = {}
     interface, headings = bench.interface, evidence.headings
     unfed = {n: interface.inputs[n] for n in bench.choice.unfed}
     for remark in evidence.remarks[i]:
@@ -209,8 +217,8 @@ def _of_remarks(i: int, evidence: Evidence, bench: Bench) -> dict[str, StatedVal
         if remark.meaning.kind == "mass" or "ambient" in remark.meaning.roles:
             names = _meant(remark.meaning, unit, number, interface, headings)
         why = f"a line above the rows says so: {remark.text}"
-        told |= {name: StatedValue(remark.value, number, why) for name in names}
-    return told
+        values |= {name: StatedValue(remark.value, number, why) for name in names}
+    return values
 
 
 def _meant(
@@ -293,17 +301,17 @@ def open_parameters(interface: Interface, headings: Headings, points: bool) -> O
     perhaps = _told_by_fit(interface, words.uncertain, words.chosen)
     rubbing = {name: v for name, v in perhaps.items() if _says(v, ["friction"])}
     perhaps = rubbing if points else {**perhaps, **hidden}
-    own = {
+    candidates = {
         n: v
         for n, v in interface.parameters.items()
         if n.count(".") <= 1 and n not in {*free, *perhaps}
     }
-    known = {
+    measurable = {
         n: v
-        for n, v in own.items()
+        for n, v in candidates.items()
         if _is_measure(n, v, words.chosen) and (is_geometry(v) or not points)
     }
-    return OpenParameters(free, perhaps, known)
+    return OpenParameters(free, perhaps, measurable)
 
 
 def is_geometry(variable: Variable) -> bool:
@@ -325,8 +333,8 @@ def _says(variable: Variable, words: Sequence[str]) -> bool:
 def _told_by_fit(
     interface: Interface, words: Sequence[str], chosen: Sequence[str]
 ) -> dict[str, Variable]:
-    own = {name: v for name, v in interface.parameters.items() if name.count(".") == 1}
-    bounded = {n: v for n, v in own.items() if _is_bounded(v) and v.unit not in _MEASURED}
+    of_component = {name: v for name, v in interface.parameters.items() if name.count(".") == 1}
+    bounded = {n: v for n, v in of_component.items() if _is_bounded(v) and v.unit not in _MEASURED}
     return {n: v for n, v in bounded.items() if _says(v, words) and not _says(v, chosen)}
 
 
@@ -342,8 +350,10 @@ def _hidden(interface: Interface) -> dict[str, Variable]:
         for words in (_OF_WALLS, _OF_FIBRES)
     )
     owners = {name.rsplit(".", 2)[0] for name in walls}
-    near = {n: _nearby(v) for n, v in fibres.items() if n.rsplit(".", 2)[0] in owners and v.start}
-    return {**near, **walls}
+    limited = {
+        n: _nearby(v) for n, v in fibres.items() if n.rsplit(".", 2)[0] in owners and v.start
+    }
+    return {**limited, **walls}
 
 
 def _nearby(variable: Variable) -> Variable:

@@ -36,7 +36,7 @@ class FirstOffset:
         name: of the signal.
         unit: of all numbers.
         sample: the first sample, with its noise.
-        others: the first instant by the samples after it; None: there are none.
+        later: the first instant by the samples after it; None: there are none.
         model: the model's value there.
         noise: the largest offset that noise makes.
         span: range of the signal over all runs and the model's first value.
@@ -45,7 +45,7 @@ class FirstOffset:
     name: str
     unit: str
     sample: FirstSamples
-    others: FirstSamples | None
+    later: FirstSamples | None
     model: float
     noise: float
     span: float
@@ -58,7 +58,7 @@ class FirstOffset:
     @property
     def exceeds_noise(self) -> bool:
         """Whether the offset is more than noise makes, and more than one slip: the samples after it show it too."""
-        also = self.others is None or abs(self.others.value - self.model) > self.noise
+        also = self.later is None or abs(self.later.value - self.model) > self.noise
         return also and abs(self.offset) > self.noise
 
     def exceeds_instrument(self, common: float | None) -> bool:
