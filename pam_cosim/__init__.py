@@ -115,7 +115,7 @@ if not TYPE_CHECKING:
     __doc__ += f"\nThe steps of a study:\n{_study._NAMES.text()}\n\nWhat they take and return:\n{_NAMES.text()}"
 
     def __getattr__(name: str) -> object:
-        """Loads what is asked for first: the command can be interrupted while it loads (``cli.process``)."""
+        """Loads names on first use: the command can be interrupted while it loads (``cli.process``)."""
         return (_study._NAMES if name in _study.__all__ else _NAMES).load(__name__, name)
 
     def __dir__() -> list[str]:

@@ -1,4 +1,4 @@
-"""Counts and time limits that a person asks for: the most of each, and one sentence for what is beyond."""
+"""Counts and time limits that a user states: the maximum of each, and the message beyond it."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def checked_seed(value: int) -> int:
 
 
 def checked_time(value: float) -> float:
-    """A time limit [s]; what nobody lives to see is none.
+    """A time limit [s]; a limit of more than a lifetime is none.
 
     Raises:
         InputError: it is not longer than nothing.

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class NoiseCriteria:
-    """How an instrument's noise is told from its signal, and an outlier from noise."""
+    """How an instrument's noise is separated from its signal, and an outlier from noise."""
 
     fewest_samples: int = 30
     """samples | fewer determine the noise of a signal to no better than a fifth"""
@@ -35,7 +35,7 @@ class NoiseCriteria:
     off_step: float = 0.05
     """of a step | largest distance of a sample of a rounded record from its steps, due to units and digits of a file"""
     least_of_step: float = 0.1
-    """of a step | smallest noise assumed with rounding: a smaller one is hardly visible, and no model is that exact"""
+    """of a step | smallest noise assumed with rounding: a smaller one is not visible, and no model is that exact"""
     assumed_share: float = 0.01
     """of range | noise assumed where none is stated and the samples show none, as for points of a figure"""
     same_test: float = 0.01
@@ -97,7 +97,7 @@ class StartCriteria:
 
 @dataclass(frozen=True)
 class ResidualCriteria:
-    """What tells structure in residuals from noise."""
+    """What distinguishes structure in residuals from noise."""
 
     correlated: float = 4.0
     """sd | score of the lag-one correlation above which residuals are correlated: white noise does it once in 3e4 data
@@ -212,7 +212,7 @@ class SearchCriteria:
     together: int = 4
     """models | fitted before the next are chosen"""
     leading_families: int = 3
-    """families | that lead: further effects are looked at beside their best models, with all of their members"""
+    """families | that lead: further effects are added to their best models, with all of their members"""
     rounds: int = 8
     """rounds | of fits of models with so many effects, at most"""
     starts: int = 12
@@ -226,7 +226,7 @@ class SearchCriteria:
     precision: float = 1e-4
     """of chi-square | reduction at which these descents end: slower ones lead nowhere"""
     screening_evaluations: int = 6
-    """evaluations | enough to distinguish a promising effect from a hopeless one"""
+    """evaluations | enough to distinguish a likely effect from an unlikely one"""
     screening_tolerance: float = 1e-5
     """1 | of the solver in these evaluations"""
     longest_run: tuple[float, float] = (2.0, 1e-3)

@@ -119,7 +119,7 @@ def _target(path: Path) -> Path:
 
 
 def check_ending(path: Path, what: str, endings: Sequence[str]) -> None:
-    """A file that is not what its name says is opened by nothing; a name without an ending says nothing.
+    """Refuses a name whose ending is that of another format; a name without an ending is accepted.
 
     Raises:
         InputError: the name ends in none of ``known``.
@@ -264,7 +264,7 @@ def read_file(path: Path, most: int = MOST_BYTES) -> bytes:
 
 
 def check_regular(path: Path, most: int = MOST_BYTES) -> None:
-    """Finds out whether a file can be opened by somebody else's reader: a pipe would never end, or never begin.
+    """Checks that a file can be opened by a library's reader: a pipe would never end, or never begin.
 
     Raises:
         InputError: it is missing, no regular file, or too large.

@@ -163,7 +163,7 @@ class Store:
 
 
 def _digest(key: Any, content: Any) -> bytes | None:
-    """What a record of these parts must have beside them; None: they are no record."""
+    """The checksum that a record of these parts must have; None: they are no record."""
     if not isinstance(key, bytes) or not isinstance(content, bytes):
         return None
     head = len(key).to_bytes(8, "big") + key

@@ -1,4 +1,4 @@
-"""TOML text to plain data, the line on which a key stands (which ``tomllib`` does not tell), and texts as TOML."""
+"""TOML text to plain data, the line on which a key stands (which ``tomllib`` does not report), and texts as TOML."""
 
 from __future__ import annotations
 

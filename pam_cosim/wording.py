@@ -21,7 +21,7 @@ def shown(value: object) -> str:
 
 
 def printable(text: str) -> str:
-    """A line of somebody else's: what would command a terminal stands as a blank."""
+    """A line of foreign text: characters that would control a terminal are replaced by blanks."""
     if text.isprintable():
         return text
     return "".join(letter if letter.isprintable() else " " for letter in text)

@@ -152,7 +152,7 @@ class ExchangeModel:
         return variable.unit if variable is not None else ""
 
     def variable(self, name: str) -> Variable | None:
-        """What the FMU says of a variable; None where it only names it."""
+        """What the FMU states of a variable; None where it only names it."""
         return self._variables.get(name)
 
     def check(self, names: Sequence[str], role: str = "variable") -> None:

@@ -44,7 +44,7 @@ class RecordedSamples:
 
 @dataclass(frozen=True)
 class Belief:
-    """What the filter is told; all [SI].
+    """Settings of the filter; all [SI].
 
     Attributes:
         noise: standard deviation of each measured signal.
@@ -121,7 +121,7 @@ def _input_functions(
 
 
 class _Filter:
-    """Mean and covariance of the states and of the inputs that nobody measures."""
+    """Mean and covariance of the states and of the unmeasured inputs."""
 
     def __init__(self, model: ExchangeModel, belief: Belief, measured: list[str]) -> None:
         self.model, self.measured = model, measured

@@ -207,7 +207,7 @@ class LinearModel(Printed, Exported):
             states=tuple(self.states[i] for i in slow),
             notes=(
                 *self.notes,
-                f"{', '.join(self.states[i] for i in fast)}: taken to follow at once.",
+                f"{', '.join(self.states[i] for i in fast)}: taken as quasi-static.",
             ),
         )
 

@@ -94,7 +94,7 @@ class Observation(Printed, Exported):
 
     @property
     def log_likelihood(self) -> float:
-        """Of the measurements, given what the filter was told: larger for what explains them better."""
+        """Of the measurements, given the settings of the filter: larger for settings that explain them better."""
         squared, count, determinant = self.sizes.sum(axis=0)
         return float(-0.5 * (squared + determinant + count * np.log(2 * np.pi)))
 

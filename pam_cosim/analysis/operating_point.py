@@ -86,7 +86,7 @@ def present(
 
 
 def go_to_state(model: ExchangeModel, conditions: Mapping[str, float]) -> str:
-    """Takes the model to a state at which variables have given values; says how it was found.
+    """Takes the model to a state at which variables have given values; returns how it was found.
 
     Named states and inputs take their values. Where another variable is named, such as an output, those states that
     are not named change as little as they must, measured by their nominal sizes.

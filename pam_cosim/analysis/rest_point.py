@@ -20,7 +20,7 @@ _LONGEST = 64  # default durations of the model
 
 
 def go_to_rest(model: ExchangeModel, conditions: Mapping[str, float], free: Sequence[str]) -> str:
-    """Takes the model to a state at which nothing changes; says how it was found.
+    """Takes the model to a state at which nothing changes; returns how it was found.
 
     The model runs with constant inputs until it hardly changes; from there, or from the start where it does not
     settle, the equations are solved.
@@ -171,7 +171,7 @@ class _Rest:
         return bool(np.all(self._misses() <= STILL)) if self.names else True
 
     def worst(self) -> tuple[str, str]:
-        """The name of what is furthest from its aim, and a text that says so."""
+        """The name of the quantity that is furthest from its aim, and a message."""
         at = int(np.argmax(self._misses()))
         value = float(self.model.values([self.names[at]])[0])
         if at < len(self.model.states):

@@ -166,7 +166,7 @@ class _Spectrum:
         self.distortion = np.divide(over, size, out=np.zeros_like(over), where=size > 0)
 
     def agrees(self, other: _Spectrum) -> bool:
-        """Whether the two periods say the same."""
+        """Whether the two periods agree."""
         tolerance = _SETTLED * np.abs(self.fundamental)
         changes = np.maximum(
             np.abs(self.fundamental - other.fundamental), np.abs(self.shift - other.shift)

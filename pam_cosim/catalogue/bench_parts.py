@@ -199,7 +199,7 @@ def _part(tree: ClassTree, name: str, role: str, library: str) -> BenchPart:
 
 
 def _stated_names(tree: ClassTree, name: str) -> Iterator[str]:
-    """What a class and its bases say that their instances are called: a muscle of one's own is a muscle too."""
+    """The default instance names that a class and its bases state: a class that extends a muscle is a muscle too."""
     return (
         tree.classes[ancestor].annotations.get("defaultComponentName", "")
         for ancestor in (name, *tree.bases(name))

@@ -1,13 +1,13 @@
 """A model with effects added, as the Modelica text that a person would write.
 
 Where an effect belongs follows from the types alone. If it extends the constraining class of a replaceable class of
-the model, it is redeclared there, unless it extends a class that is both an effect and has terminals: what is made to
-lie beside a component never takes the place of one. A replaceable class that passes a signal on (``series.channel``)
-has place for several effects, one after the other in their order, those that limit the signal last; other classes have
-place for one. If it has the same terminals as a component of the model, that is,
-both extend a class that declares all its connectors, it is connected in parallel, connector by connector, and the
-parameters that the terminals declare are taken over. What an effect declares ``outer`` the model must declare
-``inner``: an effect that depends on what a bench does not say finds no place there.
+the model, it is redeclared there, unless it extends a class that is both an effect and has terminals: an effect that is
+made to be connected in parallel never takes the place of a component. A replaceable class that passes a signal on
+(``series.channel``) has place for several effects, one after the other in their order, those that limit the signal
+last; other classes have place for one. If it has the same terminals as a component of the model, that is, both extend a
+class that declares all its connectors, it is connected in parallel, connector by connector, and the parameters that the
+terminals declare are taken over. What an effect declares ``outer`` the model must declare ``inner``: an effect that
+depends on what a bench does not say finds no place there.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""One effect in full: its equations, what its documentation says, its parameters, and the benches that have a place."""
+"""One effect in full: its equations, its documentation, its parameters, and the benches that have a place."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ class EffectParameter(Printed):
 
 @dataclass(frozen=True)
 class EffectSheet(Printed):
-    """What there is to say of an effect.
+    """The sheet of an effect.
 
     Attributes:
         effect: as its class declares it.

@@ -223,6 +223,6 @@ def _absent(text: str, file: Path | str, line: int) -> dict[str, float]:
 
 
 def component_name(short: str, annotation: str) -> str:
-    """The name that an instance of a class takes: what its annotation ``defaultComponentName`` says, or its own."""
+    """The name that an instance of a class takes: by its annotation ``defaultComponentName``, or its own."""
     stated = annotation.partition("=")[2].strip().strip('"')
     return stated or short[0].lower() + short[1:]

@@ -1,4 +1,4 @@
-"""The full name of a model, without reading a library where its folders tell."""
+"""The full name of a model, without reading a library where its folders determine the name."""
 
 from __future__ import annotations
 

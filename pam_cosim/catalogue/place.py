@@ -1,4 +1,4 @@
-"""Where a library keeps what the catalogue asks for: the agreement that makes a Modelica package a library.
+"""Where a library keeps what the catalogue needs: the conventions that make a Modelica package a library.
 
 A library is a package without a parent that has the partial class ``Interfaces.Effect``, which all its effects extend.
 Its models of rigs are in its package ``Benches``.
@@ -97,7 +97,7 @@ def surrounds(tree: ClassTree, model: str, outer_components: Iterable[tuple[str,
 
 
 def unit_of(tree: ClassTree, component: ComponentInfo) -> str:
-    """The unit of a component, as its declaration or its type says; "" for a plain number."""
+    """The unit of a component, by its declaration or its type; "" for a plain number."""
     modifications, kind = component.modifications, component.type
     while "unit" not in modifications:
         if kind not in tree.classes or not tree.classes[kind].extends:

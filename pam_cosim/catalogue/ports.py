@@ -1,4 +1,4 @@
-"""What benches take and show, as the class tree tells it: those that there are, and those that parts would make."""
+"""Inputs and outputs of benches, from the class tree: of the existing benches, and of those that parts can make."""
 
 from __future__ import annotations
 

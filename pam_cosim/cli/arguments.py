@@ -89,7 +89,7 @@ def parse_varied(words: Sequence[str]) -> dict[str, str | list[str]]:
 
 
 def parse_point(words: Sequence[str]) -> Literal["rest"] | dict[str, str] | list[float]:
-    """What ``--at`` says: "rest", values by name of one state, or times [s] of a run.
+    """The value of ``--at``: "rest", values by name of one state, or times [s] of a run.
 
     Raises:
         InputError: not of that form, or several of these.

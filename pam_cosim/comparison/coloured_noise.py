@@ -41,7 +41,7 @@ def noise_log_likelihood(series: Sequence[Series], largest: float) -> float:
 
 
 def _most_likely(series: Sequence[Array], largest: float) -> float:
-    """Over the ratio of both variances, and over the memory; where the grid says that they may be the likeliest."""
+    """Over the ratio of both variances, and over the memory; near the best points of the grid."""
     values, lengths = np.concatenate(series), [len(v) for v in series]
     ends = np.cumsum(lengths) - 1
     likelihoods = [float(_log_likelihood(len(values), float(values @ values), 0.0, 0.0, largest))]

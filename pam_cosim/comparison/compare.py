@@ -49,7 +49,7 @@ class Comparison(Printed, Tabular):
 
     @cached_property
     def doubts(self) -> tuple[Doubt, ...]:
-        """What a person should look at before an effect is said to be missing."""
+        """What a person should check before an effect is searched for."""
         fitted = set(self.data.fit) <= set(self.parameters)
         ranges = self.data.domain.ranges
         return doubts(self.runs, self.data.signals, self.units, fitted, self.convention, ranges)
@@ -102,7 +102,7 @@ class Comparison(Printed, Tabular):
         )
 
     def _solvers(self) -> list[str]:
-        """A sentence where runs were made by model exchange: the first that was said, and of how many."""
+        """A sentence where runs were made by model exchange: the first message, and the number of runs."""
         solver_notes = [r.solver for r in self.runs if r.solver]
         count = (
             ""

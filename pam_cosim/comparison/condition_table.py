@@ -288,7 +288,7 @@ def _not_of(run: Run, name: str, everywhere: Sequence[str]) -> str:
 
 
 def _value(run: Run, name: str, fitted: Mapping[str, float]) -> float:
-    """A value of a condition, rounded as conditions are told apart."""
+    """A value of a condition, rounded to the digits by which conditions are distinguished."""
     value = run.parameters.get(name, fitted.get(name, np.nan))
     return float(f"{value:.{_SAME}g}")
 

@@ -206,7 +206,7 @@ def _in_time(
     how = "half a sample" if own_late == 0.5 else "one sample"
     text = (
         f"the readings fit much better {how} later than the commands: chi-square {chi2:.3g} against "
-        f"{chi2_before:.3g}; name the file once more with the readings alone under [[runs.loggers]], "
+        f"{chi2_before:.3g}; name the file again with the readings alone under [[runs.loggers]], "
         f'offset = "{-1e3 * own_late * _step(tried.runs[0]):.4g} ms"'
     )
     earlier = replace(data, runs=tuple(_advanced(run, own_late) for run in _refined(data).runs))
@@ -233,7 +233,7 @@ def _of_other(
     simulate: Evaluate,
     fitted: Evaluate | None,
 ) -> _Scores:
-    """The scores of the other interpolation; none where the model shows too little of it to tell."""
+    """The scores of the other interpolation; none where the two differ too little in the model."""
     changed = _refined(_between(tried, _other(tried)))
     try:
         runs = simulate(changed)
@@ -362,7 +362,7 @@ def _of_inputs(
             continue
         if _unexplained(changed, signals) < share:
             chi2 = _chi2(changed, signals)
-            text = f"{words}: chi-square {chi2:.3g} against {chi2_before:.3g}; put it right under [columns]"
+            text = f"{words}: chi-square {chi2:.3g} against {chi2_before:.3g}; correct it under [columns]"
             likely.append(Convention(name, text, _changed(data, change), chi2, chi2_before))
     return min(likely, key=lambda one: one.chi2, default=None)
 

@@ -102,7 +102,7 @@ def _collect(
 
 
 def _candidates(samples: _Samples) -> list[tuple[str, Mask]]:
-    """What a rule can say: each condition, and each phase with another condition."""
+    """All possible rules: each condition, and each phase with another condition."""
     phases, further_conditions = samples.conditions
     return [
         *phases,

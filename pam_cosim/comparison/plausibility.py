@@ -1,4 +1,4 @@
-"""What speaks against the data, or against what is stated of the rig, before any effect is said to be missing.
+"""Doubts about the data, or about the stated rig, before any effect is searched for.
 
 A wrong unit, a zero, a sign, a column of another run: each leaves a large error that no physics explains, and that
 physics bends to explain all the same.
@@ -418,7 +418,7 @@ def _only_difference(a: RunComparison, b: RunComparison) -> str | None:
 def _alike(
     a: RunComparison, b: RunComparison, signal: str
 ) -> tuple[NDArray[np.int_], NDArray[np.int_]] | None:
-    """Samples of two runs at nearly the same inputs; None: too few, or the inputs do not say what the model does.
+    """Samples of two runs at nearly the same inputs; None: too few, or the inputs do not determine the model's values.
 
     Inputs say what it does where samples of one run at nearly the same inputs are nearly the same in the model.
     """

@@ -1,4 +1,4 @@
-"""What a reading says of a model: how unlikely the model makes it, and how unlikely the noise alone would.
+"""The likelihood of a reading under a model, compared with that of the noise alone.
 
 A reading that was rounded to steps says only that signal and noise fell into its interval. Its likelihood is the
 probability of that (Sheppard's grouped observations; for regression, Heitjan, Statistical Science 4, 1989). Twice what

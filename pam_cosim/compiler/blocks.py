@@ -18,7 +18,7 @@ from pam_cosim.errors import ModelError
 _LARGEST_BY_MINORS = 4
 _LARGEST_BY_PIVOTS = 30  # beyond, a matrix of numbers is inverted
 _POINTS = 5  # values of the symbols, at all of which a loop that is singular by itself is singular
-_ZERO = 1e-13  # smallest singular value beside the largest, of a matrix with rows and columns of size one
+_ZERO = 1e-13  # smallest singular value relative to the largest, of a matrix with rows and columns of size one
 _PART = 1e-6  # of a unit vector, from which an equation or an unknown takes part
 
 
@@ -358,5 +358,5 @@ def _singular(
     return (
         f"the model has {len(residuals)} equations for {len(unknowns)} unknowns; "
         f"no equation determines {', '.join(map(repr, free)) or 'nothing more'}; "
-        f"too much is said by {'; '.join(extra) or 'no equation'}"
+        f"superfluous: {'; '.join(extra) or 'no equation'}"
     )

@@ -31,7 +31,7 @@ class CompilerLimits:
     Attributes:
         file: letters of a Modelica file.
         nesting: of brackets, modifications, blocks and classes within one another in a text.
-        depth: of components, values and calls that are reckoned within one another.
+        depth: of components, values and calls that are evaluated within one another.
         classes: looked up within one another, by inheritance and imports.
         instances: components of a model, elements of arrays among them.
         elements: of one array, and points of one loop.
@@ -81,7 +81,7 @@ _current = threading.local()  # the budget of the compile that goes on
 
 
 class Budget:
-    """What one compile has used. The errors lack a place: whoever evaluates knows it."""
+    """What one compile has used. The errors lack a place: the evaluator knows it."""
 
     def __init__(self) -> None:
         self.steps = self.instances = self.depth = 0
@@ -134,7 +134,7 @@ class Budget:
         self.work(10)
 
     def enter(self, what: str) -> None:
-        """Counts a step, and one level more in ``depth``; whoever calls takes the level back, also after an error.
+        """Counts a step, and one level more in ``depth``; the caller takes the level back, also after an error.
 
         Raises:
             ModelError: it is too deep, or too much.
@@ -229,7 +229,7 @@ def check_source(text: str, model: str, states: int) -> None:
 
 
 def defect(problem: Exception) -> str:
-    """What is said of an operation that Python or CasADi refuses."""
+    """The message on an operation that Python or CasADi refuses."""
     return f"this has no value: {str(problem).strip().splitlines()[-1][:200] if str(problem).strip() else 'it fails'}"
 
 

@@ -1,4 +1,4 @@
-"""Modelica's functions that make arrays or tell their sizes."""
+"""Modelica's functions that make arrays or return their sizes."""
 
 from __future__ import annotations
 

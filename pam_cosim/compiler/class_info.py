@@ -1,4 +1,4 @@
-"""What the class tree tells of a class: its bases, components, and what can be replaced in it."""
+"""A class in the class tree: its bases, components, and replaceable parts."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@ from pam_cosim.errors import ModelError
 from pam_cosim.resources import modelica_root
 
 VENDOR = "__PamCosim"
-"""The annotation in which a class says what the language has no word for (Modelica 3.6, section 18.1)."""
+"""The vendor annotation of a class (Modelica 3.6, section 18.1)."""
 
 _GRAPHICAL = frozenset(("Icon", "Diagram"))
 Constant: TypeAlias = "float | int | str | bool | tuple[Constant, ...]"
@@ -137,7 +137,7 @@ class ClassTree:
 
     @staticmethod
     def _in_place_of(old: ComponentInfo, new: ComponentInfo) -> ComponentInfo:
-        """A redeclared component: what it does not say is as it was (Modelica 3.6, section 7.3)."""
+        """A redeclared component: whatever it does not modify remains (Modelica 3.6, section 7.3)."""
         return replace(
             new,
             prefixes=new.prefixes - {"redeclare"} | old.prefixes - {"replaceable"},

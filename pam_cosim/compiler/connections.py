@@ -16,7 +16,7 @@ ConnectorSide = tuple[Instance, bool]
 
 @dataclass(eq=False, repr=False)
 class ConnectionSet:
-    """Variables that are connected; the flag says whether a flow counts into the set (seen from inside)."""
+    """Variables that are connected; the flag is whether a flow counts into the set (seen from inside)."""
 
     members: list[ConnectorSide]
 

@@ -47,7 +47,7 @@ class Constants(Evaluator):
         is_new = instance.primitive == "Real" and instance not in self.structural
         if self._is_structure and is_new and instance.variability == "parameter":
             self.structural[instance] = None
-            self._values.pop(instance, None)  # what it depends on is asked for once more
+            self._values.pop(instance, None)  # what it depends on is evaluated again
         return super().value(instance)
 
     def _find_value(self, instance: Instance) -> Value:

@@ -141,7 +141,7 @@ class DelayedInputs:
         return put(argument, old, new)
 
     def _channel(self, delay: Delay) -> ca.SX:
-        """The symbol of an input delayed by a time: one for all calls that ask for the same."""
+        """The symbol of an input delayed by a time: one for all calls with the same delay."""
         for symbol, existing in zip(self.delayed, self.delays, strict=True):
             if existing.input == delay.input and same(existing.time, delay.time):
                 return symbol

@@ -50,7 +50,7 @@ def elementwise(text: str, values: Mapping[str, Array | float]) -> Array:
 def evaluate(
     text: str, values: Mapping[str, Any], quantity: Callable[[str], Any] | None = None
 ) -> Any:
-    """The value of an expression of anything that can be reckoned with, such as arrays with units.
+    """The value of an expression of objects with arithmetic, such as arrays with units.
 
     Args:
         text: Modelica; nothing of it is ever run.
@@ -64,7 +64,7 @@ def evaluate(
 
 
 def with_place(problem: ModelError) -> str:
-    """What is wrong with an expression that stands by itself, and at which of its characters."""
+    """What is wrong with a single expression, and at which of its characters."""
     return (
         f"{problem.message} (at character {problem.column})" if problem.column else problem.message
     )

@@ -69,7 +69,7 @@ class Calls:
 
 
 class Components(Holders, Protocol):
-    """What evaluation asks of the one who makes instances."""
+    """What evaluation needs from the instantiation."""
 
     budget: Budget
     calls: Calls

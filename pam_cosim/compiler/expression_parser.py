@@ -145,7 +145,7 @@ class ExpressionParser:
         return expression
 
     def deeper(self, levels: int = 1) -> None:
-        """Counts levels in the text; whoever calls takes them back at their end. After an error nothing is parsed."""
+        """Counts levels in the text; the caller takes them back at their end. After an error nothing is parsed."""
         self.depth += levels
         if self.depth > LIMITS.nesting:
             self.fail(

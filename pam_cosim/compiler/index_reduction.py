@@ -142,7 +142,7 @@ def _imbalance(
     if free:
         text += f"; no equation determines {_listed([f'{name!r}' for name in free])}"
     if unmatched:
-        text += f"; too much is said by {_listed([system.residuals[i].place for i in unmatched])}"
+        text += f"; superfluous: {_listed([system.residuals[i].place for i in unmatched])}"
     return text
 
 

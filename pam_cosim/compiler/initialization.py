@@ -116,7 +116,7 @@ def initial_values(problem: InitialProblem) -> InitialValues:
 
 
 def _start_equations(problem: InitialProblem) -> tuple[list[Residual], list[Residual]]:
-    """What the start values say: those that are fixed, and those that are a guess."""
+    """The equations of start values: those that are fixed, and those that are a guess."""
     fixed: list[Residual] = []
     free: list[Residual] = []
     for name in problem.declared:
@@ -144,7 +144,7 @@ def _equations_of_rest(
 def _rest(
     problem: InitialProblem, imposed: Sequence[Residual], still: Sequence[tuple[str, Residual]]
 ) -> AtRest:
-    """Which states the equations ``der(x) = 0`` put at rest, beside what is said otherwise."""
+    """Which states the equations ``der(x) = 0`` put at rest, given the equations that are imposed."""
     if not still:
         return AtRest()
     chosen = _Chosen(problem.system.residuals, problem.unknown)
@@ -223,7 +223,7 @@ def _solution(
     unknown: Mapping[str, ca.SX],
     loops: NonlinearLoops | None = None,
 ) -> dict[str, ca.SX]:
-    """The states and parameters among the unknowns, from what is said and, where that is not enough, what is free."""
+    """The states and parameters among the unknowns, from the imposed equations and, if too few, the free ones."""
     chosen = _Chosen(problem.system.residuals, unknown)
     superfluous = [equation for equation in imposed if not chosen.add(equation)]
     for equation in free:

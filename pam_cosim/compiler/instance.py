@@ -87,7 +87,7 @@ class Redeclaration:
 
 @dataclass(eq=False, repr=False)
 class Mod:
-    """What is said about one element from outside: its value, its parts, its replacement."""
+    """The modification of one element from outside: its value, its parts, its replacement."""
 
     at: int
     source: SourceText | None
@@ -109,7 +109,7 @@ class Mod:
         return Mod(self.at, self.source, value, entries, self.redeclaration, False, self.final)
 
     def of_one(self) -> Mod:
-        """The modification of one component of an array: what was said of each of them is said of it."""
+        """The modification of one component of an array, from that of the whole array."""
         entries = {name: replace(entry, each=False) for name, entry in self.entries.items()}
         return replace(self, entries=entries)
 

@@ -64,7 +64,7 @@ class Instantiator:
         return root
 
     def package(self, of: Class) -> Instance:
-        """A package as a holder of constants; they are expanded when somebody asks for them."""
+        """A package as a holder of constants, which are expanded on demand."""
         key = of.definition, of.outer, of.over, of.under
         if key not in self._packages:
             name = of.definition.qualified_name

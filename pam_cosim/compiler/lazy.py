@@ -1,4 +1,4 @@
-"""A mapping some of whose values are made when somebody asks for them, such as the classes in files of a package."""
+"""A mapping some of whose values are computed on demand, such as the classes in files of a package."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ class _Later:
 
 
 class LazyDict(UserDict[str, V]):
-    """Keys are known at once, in their order; whoever asks for all values has all of them made."""
+    """Keys are known at once, in their order; a request for all values computes all of them."""
 
     def later(self, name: str, make: Callable[[], V]) -> None:
-        """Sets a value that ``make`` gives when it is asked for."""
+        """Sets a value that ``make`` computes on demand."""
         self.data[name] = _Later(make)  # type: ignore[assignment]
 
     def is_waiting(self, name: str) -> bool:

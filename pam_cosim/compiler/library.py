@@ -59,7 +59,7 @@ class Library:
         return node
 
     def walk(self) -> Iterator[ClassDefinition]:
-        """Every class, parents before their children, but for libraries that say they use none of the project's own."""
+        """Every class, parents before their children, except of libraries that use none of the project's own."""
         tops = [node for node in self.top.values() if node not in self._apart]
         stack = list(reversed([*tops, *self.inserted.values()]))
         while stack:
@@ -92,7 +92,7 @@ class Library:
         return [package]
 
     def _read_used(self, place: Path, name: str) -> None:
-        """A library that another one uses, where it lies beside that one."""
+        """A library that another library uses, where both are in one folder."""
         for path in (place / name, *sorted(place.glob(f"{name} *")), place / f"{name}.mo"):
             if not self._is_taken(name) and (path.suffix == ".mo" or (path / PACKAGE).is_file()):
                 if path.is_file():
@@ -192,7 +192,7 @@ def signature_of(folder: Path) -> Signature:
 
 
 def _signed(folder: str) -> Iterator[tuple[str, int, int]]:
-    """As they are found by one look at each folder: every compile asks for it."""
+    """Found by one listing of each folder, for every compile."""
     try:
         with os.scandir(folder) as found:
             entries = sorted(found, key=lambda entry: entry.name)
@@ -257,13 +257,13 @@ def _read_package(
 
 
 def _uses(package: ClassDefinition) -> frozenset[str] | None:
-    """The libraries that a package says it uses (Modelica 3.6, section 18.9.1); None: it does not say."""
+    """The libraries in the annotation ``uses`` of a package (Modelica 3.6, section 18.9.1); None: it has none."""
     uses = package.annotation.argument("uses")
     return None if uses is None else frozenset(a.name for a in uses.modification.arguments)
 
 
 def _read_later(directory: Path, package: ClassDefinition) -> None:
-    """Classes in files of their own, each read when somebody asks for it; the name of a file is that of its class."""
+    """Classes in files of their own, each read on demand; the name of a file is that of its class."""
     for entry in sorted(directory.iterdir()):
         name = entry.name.removesuffix(".mo")
         if entry.name == PACKAGE or name in package.classes:
@@ -286,7 +286,7 @@ def _read_class(file: Path, name: str, package: ClassDefinition) -> ClassDefinit
 
 
 def _put(child: ClassDefinition, package: ClassDefinition) -> None:
-    """Files of a folder hold different classes: which of two of a name is meant, nobody knows."""
+    """Refuses two files of a folder that hold classes of the same name."""
     if child.name in package.classes:
         raise _exists(child, child.qualified_name)
     package.classes[child.name] = child

@@ -52,7 +52,7 @@ def is_fixed(instance: Instance, constants: Evaluator) -> bool:
 
 
 def state_preference(instance: Instance, constants: Evaluator) -> float:
-    """How much a variable wants to be a state: ``stateSelect`` first, then a start of which it is said if it is fixed.
+    """How strongly a variable is preferred as a state: by ``stateSelect``, then by ``fixed``.
 
     A class may let a parameter say so; the states are the same in either case.
     """

@@ -45,7 +45,7 @@ def _collide(first: Mod, second: Mod) -> bool:
 
 
 def merge(outer: Mod | None, inner: Mod | None) -> Mod:
-    """Both together; where they speak of the same thing, the outer one counts.
+    """Both together; where both modify the same element, the outer one counts.
 
     Raises:
         ModelError: the outer one changes what the inner one declares ``final``.

@@ -25,7 +25,7 @@ class Delay:
 
 @dataclass(frozen=True)
 class Statement:
-    """A condition that the model states of itself, and what is said where it does not hold.
+    """An assertion of the model, and its message.
 
     Attributes:
         condition: 0 where it does not hold; an expression like the outputs.
@@ -63,8 +63,8 @@ class Ode:
         parts: the components of the model that are no variables, with the classes that they consist of.
         libraries: packages that the model is made of, with their versions.
         statements: what must hold while the model runs.
-        resting: names of the states that begin at rest, where their rates vanish beside the others' initial values
-            under the first inputs; in ``initial`` stands where that is sought from.
+        resting: names of the states that begin at rest, where their rates vanish at the initial values of
+            the others and the first inputs; ``initial`` has the values from which that is sought.
         following: names of states that begin where those at rest are, and their initial values in terms of these too.
     """
 

@@ -169,7 +169,7 @@ class Parser(EquationParser):
                 self.expect(";")
 
     def defer_section(self, node: ClassDefinition) -> None:
-        """Skip a section; it is parsed when somebody asks for its equations."""
+        """Skips a section, which is parsed when its equations are first used."""
         initial = self.accept("initial")
         kind = self.advance()
         start = self.index

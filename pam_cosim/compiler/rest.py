@@ -16,7 +16,7 @@ from pam_cosim.errors import ModelError
 
 
 def variable_at_rest(residual: Residual, derivative_of: Mapping[str, str]) -> str | None:
-    """The variable of which an initial equation says that it does not change; None: it says something else."""
+    """The variable that an initial equation puts at rest; None: it is another equation."""
     symbols = ca.symvar(residual.expression)
     names = {derivative: name for name, derivative in derivative_of.items()}
     if len(symbols) != 1 or symbols[0].name() not in names:

@@ -88,7 +88,7 @@ def _check(ode: Ode, names: tuple[str, ...]) -> None:
             raise InputError(f"parameter '{name}' is named twice", ode.interface.model)
         if name in ode.interface.record_delays:
             raise InputError(
-                f"parameter '{name}' says how late a record is, which stands in no equation of the model: there is no "
+                f"parameter '{name}' is the delay of a record, which stands in no equation of the model: there is no "
                 "derivative with respect to it",
                 ode.interface.model,
             )

@@ -66,7 +66,7 @@ def comparison(
 
 @dataclass(frozen=True)
 class InitialParameters:
-    """What the initial equations say of parameters.
+    """What the initial equations determine of parameters.
 
     Attributes:
         values: the parameters' values as expressions of other parameters, by name.

@@ -183,7 +183,7 @@ class SymbolTable(Evaluator):
 
 
 def _alike(a: Assertion, b: Assertion) -> bool:
-    """Whether two assertions say the same in the same case."""
+    """Whether two assertions have the same message and the same condition."""
     texts = [
         [part if isinstance(part, str) else part.digits for part in assertion.message.parts]
         for assertion in (a, b)

@@ -360,7 +360,7 @@ class ClassDefinition:
 
     @property
     def sections(self) -> list[Section]:
-        """Equation and algorithm sections, parsed when first asked for (the class tree never asks)."""
+        """Equation and algorithm sections, parsed at first use (the class tree never uses them)."""
         if self._sections is None:
             self._sections = [parse() for parse in self.deferred]
         return self._sections

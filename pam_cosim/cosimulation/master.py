@@ -13,7 +13,7 @@ from pam_cosim.errors import InputError
 
 # Hairer, Norsett, Wanner, Solving ODEs I, II.4: safety, and how much a step may change at once.
 _SAFETY, _SHRINK, _GROW = 0.9, 0.2, 3.0
-_EXACT = 1e-10  # an error, over what is allowed, that is as good as none
+_EXACT = 1e-10  # an error, over what is allowed, that counts as none
 _SMALLEST = 1e-9  # of the run: no step is shorter
 _SAME_TIME = 1e-9  # of a step
 _FEWEST = 20  # steps in a run, so that the picture of it is not a polygon

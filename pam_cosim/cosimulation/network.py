@@ -9,7 +9,7 @@ from typing import Any, Literal
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.cosimulation.courses import InputLines
+from pam_cosim.cosimulation.input_lines import InputLines
 from pam_cosim.cosimulation.loops import evaluation_order, torn
 from pam_cosim.cosimulation.parts import Component, Connection, Controller, CoupledFmu, Port
 from pam_cosim.cosimulation.sampling import sampled
@@ -130,7 +130,7 @@ class Network:
         self._loop, self._passes = _loop_and_passes(components, connections, loops)
         self._loop_sizes = np.array([self.nominal(source) for source in self._loop])
         self._feeds = _feeds(components, connections)
-        self._courses = InputLines(inputs)
+        self._lines = InputLines(inputs)
         self._after = True  # at a time at which an input of the system jumps: its value is that after the jump
         self._read = _to_read(components, observed)
         self._naming = {name: _Naming(self, name) for name in components}
@@ -188,7 +188,7 @@ class Network:
         self, name: str, duration: float, begin: Values, advanced: set[str]
     ) -> tuple[dict[str, float], dict[str, float]]:
         """A component's inputs at the start of a step, and how fast they are to change in it."""
-        inputs, slopes = self._courses.over_step(name, self.now.time, duration)
+        inputs, slopes = self._lines.over_step(name, self.now.time, duration)
         for connection in self._feeds[name]:
             source, variable = connection.source, connection.target.variable
             value, rate = begin[source], self.now.slopes.get(source, 0.0) if self._linear else 0.0
@@ -201,7 +201,7 @@ class Network:
     # --- consistent values at one time ---------------------------------------------------------------------
 
     def _settle_all(self) -> None:
-        """Sets all inputs anew and reads all outputs."""
+        """Sets all inputs again and reads all outputs."""
         for name in self.parts:
             self._refresh(name, self._inputs_now(name))
         self._settle()
@@ -257,19 +257,19 @@ class Network:
         return np.stack(columns, axis=1)
 
     def _inputs_now(self, name: str) -> dict[str, float]:
-        inputs = self._courses.at(name, self.now.time, self._after)
+        inputs = self._lines.at(name, self.now.time, self._after)
         inputs.update({c.target.variable: c(self.now.values[c.source]) for c in self._feeds[name]})
         return inputs
 
     def external(self) -> dict[str, float]:
         """Inputs of the system at the present time, by ``component.variable``."""
-        return self._courses.every(self.now.time, self._after)
+        return self._lines.every(self.now.time, self._after)
 
     # --- events --------------------------------------------------------------------------------------------
 
     def breaks(self, stop: float) -> list[float]:
         """Times up to ``stop`` at which an input of the system jumps or bends, [s]."""
-        return self._courses.turns(self.now.time, stop)
+        return self._lines.turns(self.now.time, stop)
 
     def event(self) -> bool:
         """What happens between two steps: inputs that jump, and samples; whether anything does.
@@ -279,7 +279,7 @@ class Network:
             ControllerError: a controller cannot go on.
         """
         before, self._after = dict(self.now.values), True
-        jumps = self._courses.turn(self.now.time)
+        jumps = self._lines.turn(self.now.time)
         if jumps:
             self._settle_all()
         changes = self._sample(self.now.time)

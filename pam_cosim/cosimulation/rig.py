@@ -123,7 +123,7 @@ class Rig(Printed):
         /,
         **inputs: Setting,
     ) -> Readings:
-        """Goes on for ``duration`` with the inputs given, which are held from now on.
+        """Advances by ``duration`` with the inputs given, which are held from now on.
 
         Args:
             duration: a number [s] or a text such as "10 ms".
@@ -199,7 +199,7 @@ class Rig(Printed):
         return RigState(self, self._run().save(), len(self._record.rows))
 
     def restore(self, state: RigState | bytes) -> None:
-        """Goes back, or on, to a saved state; from bytes, the record begins anew at its time.
+        """Goes back, or on, to a saved state; from bytes, the record restarts at its time.
 
         Raises:
             InputError: a state of another rig, bytes that are no state of this model, or an FMU that cannot do that.

@@ -1,4 +1,4 @@
-"""What the description of an archive of SSP says: FMUs, systems, wires and values of parameters."""
+"""The description of an archive of SSP: FMUs, systems, wires and values of parameters."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Wire:
 
 @dataclass
 class Description:
-    """What an archive's description says."""
+    """The description of an archive."""
 
     title: str
     stop_time: float | None = None

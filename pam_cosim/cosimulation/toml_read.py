@@ -21,7 +21,7 @@ _FILES = (".fmu", ".mo")
 
 @dataclass(frozen=True)
 class Written:
-    """What such a file says, not yet checked against the models.
+    """The content of such a file, not yet checked against the models.
 
     Attributes:
         components: name to model; one that is a file is its path, in the folder of this file.

@@ -110,7 +110,7 @@ def take_bench(
     tree: ClassTree,
     describe: Callable[[str], Interface],
 ) -> Bench:
-    """The bench that the user names, or the one that fits best; what is written for it goes into ``place``.
+    """The bench that the user names, or the one that fits best; its files are written into ``place``.
 
     Args:
         place: the folder that becomes the data set.
@@ -155,7 +155,7 @@ def take_bench(
     (place / f"{name}.mo").write_text(text, encoding="utf-8", newline="\n")
     origin = f"{name}.mo was put together from {choice.ports.name}"
     if named_muscle and not requests.muscle:
-        origin = f"{origin}, with the muscle {named_muscle}, of which the files or their names tell"
+        origin = f"{origin}, with the muscle {named_muscle}, which the files or their names state"
     if needed and not muscle:
         origin = f"{origin}, with the muscle {needed}, which has the parameters that are stated"
     why = f"{why}. {origin}" if why else origin
@@ -251,8 +251,12 @@ def _empties(column: RecordedColumn) -> bool:
 
 def _why(choice: BenchChoice) -> str:
     fed = listed(f"{name} = {column.name}" for name, column in choice.fed.items())
-    why = f"guessed: the bench, because it takes and shows what was recorded: {fed}"
-    return f"{why}. Others would do: {listed(choice.alternatives)}" if choice.alternatives else why
+    why = f"guessed: the bench, because its inputs and outputs were recorded: {fed}"
+    return (
+        f"{why}. Other benches fit as well: {listed(choice.alternatives)}"
+        if choice.alternatives
+        else why
+    )
 
 
 # ---- which bench the recordings can feed, and by which column each of its inputs and outputs -------------------------
@@ -293,7 +297,7 @@ def _lets_go(other: BenchChoice, best: BenchChoice, moving: set[str]) -> bool:
 
 
 def _having(candidates: Sequence[Ports], evidence: Evidence) -> list[Ports]:
-    """The benches that have every name that the user says.
+    """The benches that have every name that the user states.
 
     Raises:
         InputError: there is none.
@@ -314,7 +318,7 @@ def _having(candidates: Sequence[Ports], evidence: Evidence) -> list[Ports]:
     )
     unknown = [name for name in stated if name not in variables]
     name = next(iter([*unknown, *stated]), "")
-    beside = "" if unknown or not able else f" beside {listed(named)}"
+    beside = "" if unknown or not able else f" together with {listed(named)}"
     raise InputError(
         f"no bench has an input or output {shown(name)}{beside}; {did_you_mean(name, variables)}"
     )
@@ -368,7 +372,7 @@ def _mechanical(variables: Mapping[str, Variable], headings: Headings) -> set[st
 
 
 def _readable(bench: Ports, headings: Headings) -> dict[str, Variable]:
-    """Outputs that a recording can show; what a composed bench imposes, it does not measure besides."""
+    """Outputs that a recording can contain: a composed bench does not measure the quantities that it imposes."""
     if not bench.parts:
         return dict(bench.outputs)
     imposed = {headings.variable(variable) for variable in bench.inputs.values()}
@@ -401,7 +405,7 @@ def _assign(
 
 
 def _as_variable(column: RecordedColumn, variable: Variable, headings: Headings) -> RecordedColumn:
-    """A column that is a variable because the user says so; a unit of another kind is never guessed."""
+    """A column that the user assigns to a variable; a unit of another kind is never guessed."""
     written = any(place.unit.strip() for place in column.places.values())
     if written or column.unknown or (column.unit and not column.why):
         return column
@@ -422,7 +426,7 @@ def _as_variable(column: RecordedColumn, variable: Variable, headings: Headings)
 def _nearest(
     name: str, meaning: Meaning, columns: Sequence[RecordedColumn]
 ) -> tuple[float, RecordedColumn | None]:
-    """The column that serves a variable best, and how far it is from what is asked for.
+    """The column that fits a variable best, and its distance from that variable's meaning.
 
     Of columns that are as far, the one of that name; one that moves; the best known; the one that moves most; the
     first.
@@ -446,7 +450,7 @@ def _nearest(
 
 
 def _span_in(unit: str, column: RecordedColumn) -> float:
-    """How far a column goes, in that unit where it can be: of two, the one that moves more is the muscle's."""
+    """The span of a column, in a unit if it can be converted: of two, the one that moves more is the muscle's."""
     extent = span(column.samples)
     with suppress(UnitError):
         return float(convert(extent, column.unit, unit, difference=True))
@@ -454,7 +458,7 @@ def _span_in(unit: str, column: RecordedColumn) -> float:
 
 
 def _distance(column: Meaning | None, variable: Meaning) -> float | None:
-    """How far a column is from what a variable asks for; None: it cannot be that."""
+    """The distance of a column's meaning from a variable's; None: it cannot be that variable."""
     if column is None or column.roles != variable.roles:
         return None
     if column == variable:
@@ -486,14 +490,14 @@ def _held(column: RecordedColumn, pressure: RecordedColumn | None) -> bool:
 
 
 def _follows(column: RecordedColumn, pressure: RecordedColumn | None) -> bool:
-    """Whether a column goes with the pressure."""
+    """Whether a column is correlated with the pressure."""
     if pressure is None:
         return False
     return abs(correlation(pressure.values, column.values)) >= LEAST_CORRELATION
 
 
 def _must_be_fixed(bench: Ports, used: Sequence[RecordedColumn], headings: Headings) -> bool:
-    """Whether a pull changes while nobody reads a length: then it is fixed, and a bench that lets it go is none."""
+    """Whether a pull changes and no length is recorded: the end of the muscle is fixed then."""
     pulls = [c for c in used if c.of("force") and not c.held]
     imposed = [headings.variable(variable) for variable in bench.inputs.values()]
     kinds = {c.kind for c in used} | {meaning.kind for meaning in imposed if meaning}
@@ -503,7 +507,7 @@ def _must_be_fixed(bench: Ports, used: Sequence[RecordedColumn], headings: Headi
 def _with_rivals(
     column: RecordedColumn, evidence: Evidence, best: BenchChoice, name: str
 ) -> RecordedColumn:
-    """The column, saying that others could be it too."""
+    """The column with a remark that other columns may be meant instead."""
     taken = {c.name for c in best.fed.values()}
     rivals = [
         c.name for c in evidence.columns if c.meaning == column.meaning and c.name not in taken
@@ -511,7 +515,7 @@ def _with_rivals(
     if not rivals or name in evidence.requested:
         return column
     return column.because(
-        f"it is named best or moves most; {listed(map(shown, rivals))} could be it too"
+        f"its name fits best or it varies most; {listed(map(shown, rivals))} may be meant instead"
     )
 
 
@@ -519,7 +523,7 @@ def _nothing_fits(nearest: BenchChoice, evidence: Evidence) -> str:
     columns = [c for c in evidence.columns if not c.of("time")]
     recognised = [f"{c.name} ({c.meaning})" for c in columns if c.meaning is not None]
     example = _example(nearest, [c for c in columns if c.values], evidence)
-    hint = f"say what columns are{example}, or the bench, --model NAME ('pam-cosim bench --list')"
+    hint = f"state what columns are{example}, or the bench, --model NAME ('pam-cosim bench --list')"
     if not recognised:
         why = {"; ".join(c.why) for c in columns if not c.values}
         because = f" ({listed(why)})" if why else ""
@@ -537,7 +541,7 @@ def _nothing_fits(nearest: BenchChoice, evidence: Evidence) -> str:
 
 
 def _example(nearest: BenchChoice, filled: Sequence[RecordedColumn], evidence: Evidence) -> str:
-    """How to say what a column is: one that there is, for a variable of the nearest bench that it may be; else ""."""
+    """An example of --column, with a column that may be a variable of the nearest bench; else ""."""
     taken = {c.name for c in nearest.fed.values()}
     variables = {**nearest.ports.inputs, **nearest.ports.outputs}
     for name in (n for n in variables if n not in {*nearest.fed, *evidence.requested}):

@@ -87,12 +87,12 @@ class RecordedColumn:
 
     @property
     def kind(self) -> str:
-        """Of its meaning; "" where nobody knows."""
+        """Of its meaning; "" where that is unknown."""
         return self.meaning.kind if self.meaning else ""
 
     @property
     def readable(self) -> bool:
-        """Whether a formula can hold it: by its name, and by the unit beside it in the files, if there is one."""
+        """Whether a formula can contain the column: by its name, and by its unit in the files, if there is one."""
         written = any(column.unit.strip() for column in self.places.values())
         return bool(_REFERABLE.fullmatch(self.name)) and (self.stated or not written)
 
@@ -118,9 +118,9 @@ class RecordedColumn:
 
     @cached_property
     def held(self) -> bool:
-        """It hardly moves within runs beside what it does between them, or steps from one value to another.
+        """Whether it varies little within runs, compared with its range over all runs, or moves in steps.
 
-        Of points at rest, it takes few values.
+        For points at rest: whether it has few different values.
         """
         if self.points:
             return all(levels(v[np.isfinite(v)]) is not None for v in self.values.values())
@@ -132,14 +132,14 @@ class RecordedColumn:
 
     @cached_property
     def moves(self) -> bool:
-        """It is more than noise about one value."""
+        """Whether it is more than noise about one value."""
         if self.points:
             return span(self.samples) > 0.0
         return not all(is_constant(v) for v in self.values.values())
 
     @cached_property
     def is_complete(self) -> bool:
-        """It lacks so few samples that it may be meant as an input."""
+        """Whether it has almost all samples, as an input must have."""
         return self.logged_on_change or float(np.mean(np.isnan(self.samples))) <= EMPTY_SHARE
 
     def of(self, kind: str, *roles: str) -> bool:
@@ -159,7 +159,7 @@ def names_in(formula: str) -> set[str]:
 def find_columns(
     sources: Sequence[Source], stated: Iterable[str], formulas: Iterable[str], headings: Headings
 ) -> list[RecordedColumn]:
-    """Every column of numbers and what it is; what the names of the files tell is one too.
+    """Every column of numbers with its meaning.
 
     Args:
         sources: recordings.
@@ -236,7 +236,7 @@ def _found(name: str, sources: Sequence[Source], headings: Headings) -> Recorded
 
 
 def _reading(name: str, unit: str, recorded: Sequence[Array], headings: Headings) -> Heading:
-    """What a heading says; a pressure that moves is none of the atmosphere: ``p_atm`` is one in that unit."""
+    """The reading of a heading; a pressure that moves is not that of the atmosphere: ``p_atm`` has the unit atm."""
     bare = re.sub(r"[\W_]+atm$", "", name, flags=re.IGNORECASE)
     if bare != name and not all(map(_varies_little, recorded)):
         reading = headings.read(bare, unit or "atm")
@@ -297,7 +297,7 @@ def _unknown(column: RecordedColumn, headings: Headings) -> str:
         signal = "u_out"
     scaled = f"scale it, as in --column {scaling(signal, column.name, step)}"
     if is_count(column.unknown):
-        return f"how large its {column.unknown} are is not said; {scaled}, {left_out}"
+        return f"the size of its {column.unknown} is not stated; {scaled}, {left_out}"
     correct = "correct it in the file"
     if headings.scaled_unit(column.name) != column.unknown:
         return f"unit {shown(column.unknown)} is unknown; {correct}, {left_out}"
@@ -313,7 +313,7 @@ def scaling(signal: str, name: str, step: str, less: str = "") -> str:
 
 
 def _contradicts(column: RecordedColumn, headings: Headings) -> str:
-    """What to say of a column whose unit is of another quantity than its name says; "" where they agree."""
+    """The message on a column whose unit contradicts its name; "" where they agree."""
     written = next((place.unit for place in column.places.values()), "")
     unit = known_unit(written)
     contradiction = headings.contradiction(column.name, unit) if unit and column.values else ""
@@ -321,9 +321,7 @@ def _contradicts(column: RecordedColumn, headings: Headings) -> str:
         return ""
     scaled = scaling("p", column.name, "0.5 bar/mA", ' - "4 mA"')
     scale = f"scale the signal, as in --column {scaled}, " if headings.fits(unit, "current") else ""
-    hint = (
-        f"--recording 'ignore={column.name}', or say what it is: --column NAME={shown(column.name)}"
-    )
+    hint = f"--recording 'ignore={column.name}', or state what it is: --column NAME={shown(column.name)}"
     return f"{contradiction}; correct the heading, {scale}leave it out: {hint}"
 
 
@@ -370,7 +368,7 @@ def _supply(columns: list[RecordedColumn]) -> list[RecordedColumn]:
 
 
 def _leads(first: RecordedColumn, second: RecordedColumn) -> bool:
-    """Whether a pressure without noise steps and stays, and another one with noise goes where it is."""
+    """Whether a pressure without noise moves in steps, and another one with noise follows it."""
     steps = all(is_held(v) and is_repeated(v) for v in first.values.values())
     follows = correlation(first.values, second.values) > LEAST_CORRELATION
     return steps and follows and not all(map(is_repeated, second.values.values()))
@@ -390,7 +388,7 @@ def _varies_little(values: Array) -> bool:
 
 
 def _valves(columns: list[RecordedColumn], stated: set[str]) -> list[RecordedColumn]:
-    """Of two signals of valves that do not say which, the first is the inlet's; one alone is too."""
+    """Of two unnamed signals of valves, the first is the inlet's; a single one is too."""
     columns = _signed(columns, stated)
     for kind in ("current", "command"):
         of_kind = [c for c in columns if c.kind == kind and c.meaning is not None]

@@ -85,7 +85,7 @@ def rating_of(text: str) -> Rating:
     """
     match = _RATING.fullmatch(text)
     if match is None:
-        raise InputError(f"--valve {shown(text)} is not read; say {EXAMPLES}")
+        raise InputError(f"--valve {shown(text)} is not understood; write {EXAMPLES}")
     return Rating(
         text, match["input"] or "", match["size"], match["at"] or "", match["begin"] or ""
     )
@@ -138,16 +138,16 @@ def _calibration(
                 return name, f"{size / per_input / (_number(rating.at, '1') or 1.0):.6g}"
             full, less = _number(rating.at, rating.unit), _number(rating.begin, rating.unit)
             if full <= less:
-                raise InputError(f"--valve {shown(rating.text)}: say at which input, as {EXAMPLES}")
+                raise InputError(
+                    f"--valve {shown(rating.text)}: state at which input, as {EXAMPLES}"
+                )
             gain = size / per_input / (full - less)
             return name, Scale(
                 rating.unit, less, gain, parse_quantity(begin, input_unit), input_unit
             )
         except UnitError as error:
-            raise InputError(f"--valve {shown(rating.text)}: {error}; say {EXAMPLES}") from None
-    raise InputError(
-        "--valve: the bench has no valve of which a data sheet tells the area; leave it out"
-    )
+            raise InputError(f"--valve {shown(rating.text)}: {error}; write {EXAMPLES}") from None
+    raise InputError("--valve: the bench has no valve whose area a data sheet states; leave it out")
 
 
 def valve_inputs(interface: Interface, headings: Headings) -> Mapping[str, Variable]:

@@ -1,4 +1,4 @@
-"""``experiment.toml`` as an experienced user would write it, with a remark beside whatever was guessed."""
+"""``experiment.toml`` as an experienced user would write it, with a remark above every guess."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _WIDTH = 110
 
 @dataclass(frozen=True)
 class Draft:
-    """Everything that the file says.
+    """The content of the file.
 
     Attributes:
         evidence, bench, mapped: what was recorded, the bench, and the recordings under its names.
@@ -63,7 +63,7 @@ class Draft:
 
     @property
     def unfed(self) -> list[str]:
-        """Inputs of which nothing tells a value in every recording."""
+        """Inputs without a value in some recording."""
         return [n for n in self.bench.choice.unfed if not self.is_known(n)]
 
     def is_known(self, name: str) -> bool:
@@ -104,7 +104,7 @@ def _guessed(what: str, why: str) -> list[str]:
 
 def _head(draft: Draft) -> Iterator[str]:
     yield from remark(
-        "Drafted by pam-cosim new. Whatever was guessed is marked; check it and take the mark away."
+        "Drafted by pam-cosim new. Every guess is marked; check it and remove the mark."
     )
     yield f"title = {toml_string(draft.title)}"
     yield from remark(draft.bench.why)
@@ -131,7 +131,7 @@ def _recording(draft: Draft) -> Iterator[str]:
 
 
 def _stated_of_files(draft: Draft) -> dict[str, object]:
-    """What is said of how the files are written, but for columns that are not read."""
+    """What is stated of the layout of the files, except the columns that are not read."""
     stated = draft.evidence.recording.model_dump(exclude_none=True, exclude_unset=True)
     stated.pop("ignore", None)
     return stated
@@ -261,11 +261,10 @@ def _fit(draft: Draft) -> Iterator[str]:
         return
     yield "[fit]"
     if free:
-        what = (
-            "what lies in the wall of the muscle" if draft.points else "what nobody has calibrated"
-        )
+        what = "what lies in the wall of the muscle" if draft.points else "what is not calibrated"
         yield from _guessed(
-            "", f"free is {what}, which only a fit tells; bounds are the model's or near its values"
+            "",
+            f"free is {what}, which only a fit determines; bounds are the model's or near its values",
         )
     for name, variable in free.items():
         yield f"{bounds(name, variable)}   {' '.join(remark(variable.description))}"
@@ -323,11 +322,11 @@ def _points(points: PointsDraft, i: int) -> Iterator[str]:
     if points.branch[i]:
         if points.branch[i] == "order":
             yield from _guessed(
-                "branch", "the rows go up and come back: their order tells the direction of each"
+                "branch", "the rows go up and come back: their order gives the direction of each"
             )
         yield f"branch = {toml_string(points.branch[i])}"
     if points.hold_out[i]:
-        yield from _guessed("", "rows that are held out lie within what the fitted ones span")
+        yield from _guessed("", "rows that are held out lie within the range of the fitted ones")
         values = ", ".join(
             f"{toml_key(name)} = {_value(list(v))}" for name, v in points.hold_out[i].items()
         )

@@ -34,7 +34,7 @@ from pam_cosim.wording import shown
 NONZERO_READING = 5.0  # sd of the noise: a larger reading at rest is not zero
 ABSOLUTE_GAUGE = "as a gauge of absolute pressure does"
 LONGEST = "the longest in any recording"
-"""Where a length at rest comes from that nobody states."""
+"""Where a length at rest comes from that is not stated."""
 SENSES = {1: "up", -1: "down", 0: "none"}
 """Directions as ``experiment.toml`` has them."""
 _FORCE, _PRESSURE, _SET = Meaning("force"), Meaning("pressure"), meant("pressure", "set")
@@ -140,7 +140,7 @@ def longest_of(choice: BenchChoice) -> float | None:
 
 
 def length_parameter(interface: Interface) -> str | None:
-    """The parameter that is a muscle's length at rest, by what is said of it."""
+    """The parameter that is a muscle's length at rest, by its description."""
     for name, variable in interface.parameters.items():
         text = variable.description.casefold()
         if variable.unit == "m" and "length" in text and ("rest" in text or "initial" in text):
@@ -161,7 +161,7 @@ def _time(i: int, evidence: Evidence) -> Array:
 def _first(
     values: Mapping[str, dict[int, Array]], meanings: Mapping[str, Meaning | None], *wanted: Meaning
 ) -> dict[int, Array] | None:
-    """The numbers of a column that is the first of what is asked for, or the next."""
+    """The numbers of the first column with one of these meanings, in their order."""
     names = [name for meaning in wanted for name in values if meanings[name] == meaning]
     return values[names[0]] if names else None
 
@@ -209,7 +209,10 @@ def _named(
         return scaled(name, column, GRAVITY, None, why), numbers
     numbers = _converted(name, column, variable.unit)
     if column.absolute and column.kind == "pressure" and variable.is_foreign:
-        why = (*column.why, f"its heading says absolute: state an offset if {name} is gauge")
+        why = (
+            *column.why,
+            f"its heading states an absolute pressure: state an offset if {name} is gauge",
+        )
         return ColumnEntry(name, column.name, column.unit or None, why=why), numbers
     if column.absolute and column.kind == "pressure":
         return _gauge_pressure(name, column, numbers, evidence.ambient_pressure)
@@ -243,7 +246,10 @@ def _gauge_pressure(
         outside = float(np.nanmean(convert(ambient.samples, ambient.unit, "Pa")))
         source = f", the mean of {ambient.name}"
     text = f"{outside / 1e3:.6g} kPa"
-    why = (*column.why, f"its heading says absolute; the ambient is taken as {text}{source}")
+    why = (
+        *column.why,
+        f"its heading states an absolute pressure; the ambient is taken as {text}{source}",
+    )
     entry = scaled(name, column, None, f"-{text}", why)
     return entry, {i: v - outside for i, v in numbers.items()}
 
@@ -295,7 +301,7 @@ def _contraction(
 
 
 def with_directions(columns: Sequence[RecordedColumn], headings: Headings) -> list[RecordedColumn]:
-    """The columns, of which those of a direction say which of their values is which way."""
+    """The columns, with the direction of each value of those that are directions."""
     return [_with_senses(c, headings) if c.of("direction") else c for c in columns]
 
 

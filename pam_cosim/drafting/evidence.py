@@ -29,7 +29,7 @@ from pam_cosim.wording import did_you_mean, shown
 
 @dataclass(frozen=True)
 class DraftRequests:
-    """What the user says beforehand, all optional; see ``study.new``."""
+    """What the user states, all optional; see ``study.new``."""
 
     title: str | None = None
     model: str | None = None
@@ -97,7 +97,7 @@ class Evidence:
 def gather(
     files: Sequence[Path], requests: DraftRequests, headings: Headings, names: Collection[str]
 ) -> Evidence:
-    """Reads the recordings and says what their columns are.
+    """Reads the recordings and recognises their columns.
 
     Args:
         files: recordings.

@@ -71,7 +71,7 @@ _DATA = re.compile(r"(?P<name>.+?)[._ ](?:data|values?)", re.IGNORECASE)
 
 @dataclass(frozen=True)
 class Meaning:
-    """What a column or a variable is: a kind of the vocabulary, and what tells it from others of its kind."""
+    """Meaning of a column or a variable: a kind of the vocabulary, and roles that distinguish it within its kind."""
 
     kind: str
     roles: frozenset[str] = frozenset()
@@ -91,7 +91,7 @@ def meant(kind: str, *roles: str) -> Meaning:
 
 @dataclass(frozen=True)
 class Heading:
-    """What a heading says.
+    """The reading of a heading.
 
     Attributes:
         meaning: None where no word is known.
@@ -140,7 +140,7 @@ def known_unit(unit: str) -> str:
 
 @lru_cache(maxsize=4096)
 def alike(unit: str, other: str) -> bool:
-    """Whether numbers of a unit can be told in another one."""
+    """Whether numbers of a unit can be converted to another one."""
     try:
         convert(0.0, unit, other)
     except UnitError:
@@ -228,7 +228,7 @@ class Headings:
         return text if unit and any(self.fits(unit, kind) for kind in wanted) else ""
 
     def contradiction(self, name: str, unit: str) -> str:
-        """What the words of a name say without doubt, and what its unit says instead; "" where they agree."""
+        """The message where the words of a name contradict its unit; "" where they agree."""
         words = [folded(word) for word in split_words(name)]
         possible = self._kinds_in(words)
         sure = self.vocabulary.sure
@@ -241,10 +241,10 @@ class Headings:
         by_unit = next((kind for kind in kinds if self.fits(unit, kind)), "")
         if not named or not by_unit or self._with_unit(unit).intersection([*named, *possible]):
             return ""
-        return f"its name says {named[0]}, its unit {shown(unit)} says {by_unit}"
+        return f"its name means {named[0]}, its unit {shown(unit)} means {by_unit}"
 
     def direction_word(self, word: str) -> int:
-        """1 where a word says that a muscle contracts or its pressure rises, -1 the other way; 0: it says neither."""
+        """1 for a word of contraction or rising pressure, -1 for the contrary; 0: neither."""
         text = folded(word)
         rows = self.vocabulary.directions
         return next(
@@ -252,7 +252,7 @@ class Headings:
         )
 
     def usual_unit(self, meaning: str, largest: float) -> str | None:
-        """The unit that numbers of a kind most likely have, by their largest magnitude; None: nobody knows one."""
+        """The unit that numbers of a kind most likely have, by their largest magnitude; None: unknown."""
         rows = dict(reversed(self.vocabulary.units))
         listed = rows.get(meaning, rows.get(meaning.split()[-1]))
         for entry in listed.split(", ") if listed else ():
@@ -268,7 +268,7 @@ class Headings:
         return kind in self.units and alike(unit, self.units[kind])
 
     def variable(self, variable: Variable) -> Meaning | None:
-        """What an input or output of a bench is, by its unit and what is said of it."""
+        """What an input or output of a bench is, by its unit and description."""
         return self.meaning_of(variable.name, variable.description, variable.unit)
 
     def _meaning_of(self, name: str, description: str, unit: str) -> Meaning | None:
@@ -278,7 +278,7 @@ class Headings:
         return self._meaning(words, unit or "1", exact=True)
 
     def _says_absolute(self, unit: str, name: str) -> bool:
-        """Whether a heading says that a pressure is absolute: by a word, by its unit, or by one in its name."""
+        """Whether a heading states an absolute pressure: by a word, by its unit, or by a unit in its name."""
         units = [unit, *re.split(r"[\W_]+", name)]
         by_unit = any(pressure_reference(text)[1] == "absolute" for text in units)
         return by_unit or any(_ABSOLUTE.fullmatch(folded(word)) for word in split_words(name))
@@ -297,7 +297,7 @@ class Headings:
         return "", name
 
     def _unit_beside(self, part: str, remaining: Sequence[str]) -> str:
-        """The unit that a part of a name is, if it can be one of what the other parts say; "" where it is none."""
+        """The unit that a part of a name is, if it fits the quantity of the other parts; "" where it is none."""
         unit = known_unit(part)
         kinds = set(self._kinds_in([folded(w) for text in remaining for w in split_words(text)]))
         if is_count(part):
@@ -322,7 +322,7 @@ class Headings:
         return kinds.union(*(_STANDS_FOR.get(kind, ()) for kind in kinds))
 
     def _is_role(self, part: str, remaining: Sequence[str]) -> bool:
-        """Whether a part of a name says which quantity it is, as "in" and "atm" do that are units too.
+        """Whether a part of a name is a role, as "in" and "atm", which are units too.
 
         Behind the name of one pressure "atm" is its unit: ``pm_atm``, ``p_set_atm``.
         """
@@ -348,7 +348,7 @@ class Headings:
         return Meaning(kind, frozenset(roles & _VALVES if is_valve else roles - _VALVES))
 
     def _kind_without_unit(self, named: Sequence[str], roles: set[str]) -> str | None:
-        """What the words say first; a commanded current or contraction is a command, an ambient T no time."""
+        """The kind of the first known word; a commanded current or contraction is a command, an ambient T no time."""
         if "ambient" in roles and "temperature" in named:
             return "temperature"
         alone = next(
@@ -360,7 +360,7 @@ class Headings:
         return "command" if "command" in named and kind in ("current", "contraction") else kind
 
     def _kind_with_unit(self, named: Sequence[str], unit: str, exact: bool) -> str | None:
-        """What the words say among what has the unit; without words, what usually has it."""
+        """The kind of the words among those that have the unit; without words, the usual kind of that unit."""
         possible = [kind for kind in self.units if self.fits(unit, kind)]
         kind = next((k for k in named if k in possible), None)
         is_length = "contraction" in named or "length" in named
@@ -386,7 +386,7 @@ class Headings:
         return tuple(kind for kind, _, _, listed in self.vocabulary.kinds if _among(word, listed))
 
     def roles_of(self, name: str) -> set[str]:
-        """What the words of a name say of it besides its kind, such as "inlet"."""
+        """The roles that the words of a name state, such as "inlet"."""
         return self._roles(map(folded, split_words(name)))
 
     def _roles(self, words: Iterable[str]) -> set[str]:
@@ -418,7 +418,7 @@ class Remark:
 
 
 def muscle_in(texts: Sequence[str], muscles: Sequence[str]) -> tuple[str, str]:
-    """The muscle of a library that every text tells, as ``DMSP-20-300``, and its length; "" where they do not."""
+    """The muscle of a library that every text names, as ``DMSP-20-300``, and its length; "" where they do not."""
     named = {_muscle(text, muscles) for text in texts}
     if len(named) == 1:
         return named.pop()
@@ -437,7 +437,7 @@ def _muscle(stem: str, muscles: Iterable[str]) -> tuple[str, str]:
 
 
 def load_in(stem: str, weights: bool) -> tuple[str, float] | None:
-    """The mass that a name tells, or the ``weights``, as a mass: as it is written, and [kg]; None: neither."""
+    """The mass in a name, or the weight where ``weights``, as a mass: as it is written, and [kg]; None: neither."""
     for match in _LOAD.finditer(stem):
         number = (match["number"] or match["behind"]).replace(",", ".")
         unit = match["unit"] or match["first"]

@@ -151,11 +151,11 @@ class UnsimulatedDraft(InputError):
 def _draft(
     requests: DraftRequests, folder: Path, bench: Bench, evidence: Evidence, copies: Sequence[str]
 ) -> Draft:
-    """What the file says."""
+    """The content of ``experiment.toml``."""
     interface, choice, headings = bench.interface, bench.choice, evidence.headings
     zero = "zero, for it follows from the measures that are stated"
     follows = {n: (v, zero) for n, v in following(evidence.stated, interface).items()}
-    plain = "nobody names the muscle: its fibres have no friction and cover nothing, and an effect may say otherwise"
+    plain = "the muscle is not named: its fibres have no friction and cover nothing, unless an effect is added"
     follows |= {n: (v, plain) for n, v in neutral(evidence, bench).items() if n not in follows}
     valves, values = ratings(requests.valve or "", interface, headings)
     sheet = f"the data sheet of the valves: {requests.valve}"
@@ -217,7 +217,7 @@ def _guessed_roles(
     mapped: Mapped,
     values_by_run: Sequence[Mapping[str, StatedValue]],
 ) -> list[Role]:
-    """Which recordings are held out; none, where nobody knows at which lengths or loads they were taken."""
+    """Which recordings are held out; none, where the length or load of a recording is unknown."""
     mechanical = [
         name
         for name in bench.choice.unfed
@@ -257,7 +257,7 @@ def _set_columns(bench: Bench, evidence: Evidence) -> list[RecordedColumn]:
 
 _IGNORED_KINDS = {
     "count": "a count of rows or cycles",
-    "direction": "a direction, which the course in time tells by itself",
+    "direction": "a direction, which follows from the time series",
     "voltage": "a voltage; a formula can scale it",
     "angle": "an angle; a formula can scale it",
 }
@@ -271,7 +271,7 @@ def _ignored(bench: Bench, evidence: Evidence, mapped: Mapped) -> dict[str, str]
     remaining = [c for c in evidence.columns if c.name not in used]
     reasons: dict[str, str] = {}
     if not any(source.is_merged for source in evidence.sources):
-        reasons = dict.fromkeys(evidence.recording.ignore or (), "as you say")
+        reasons = dict.fromkeys(evidence.recording.ignore or (), "as you state")
         reasons |= {
             name: "a column of text" for source in evidence.sources for name in source.texts
         }
@@ -280,14 +280,14 @@ def _ignored(bench: Bench, evidence: Evidence, mapped: Mapped) -> dict[str, str]
         around = meaning is not None and (
             meaning.kind == "mass" or bool(meaning.roles & {"ambient", "rest"})
         )
-        what = "a parameter" if around else "which this bench neither takes nor shows"
+        what = "a parameter" if around else "neither an input nor an output of this bench"
         why = f"{meaning}, {what}"
         if meaning is None:
-            why = "; ".join(column.why) or "nobody knows what it is"
+            why = "; ".join(column.why) or "it is not recognised"
         elif meaning.kind in _IGNORED_KINDS:
             why = _IGNORED_KINDS[meaning.kind]
         elif meaning in names:
-            why = f"it could be {names[meaning]} too; --column {names[meaning]}='{column.name}' would take it"
+            why = f"it may be {names[meaning]} instead; --column {names[meaning]}='{column.name}' selects it"
         reasons[column.name] = why
     return reasons
 
@@ -303,7 +303,7 @@ def _simulated(data: DataSet, drafted: Draft, simulate: Callable[[DataSet], obje
     except SimulationFailure as failure:
         for name, least, say in below_zero(drafted):
             begins = f"{name} begins at {format_quantity(least, 'm')}, outside the muscle: which reading is zero?"
-            raise InputError(f"{begins} Say it, as in {say}") from None
+            raise InputError(f"{begins} State it, as in {say}") from None
         unknown = [*drafted.unfed, *(n for n in drafted.open.to_state if not drafted.is_known(n))]
         hint = (
             f"state what the rig has, --parameter NAME=VALUE, of {listed(unknown)}; or --model NAME"
@@ -315,7 +315,7 @@ def _simulated(data: DataSet, drafted: Draft, simulate: Callable[[DataSet], obje
         raise InputError(f"{message}: {failure}; {hint}") from None
 
 
-# ---- the place of a new data set: drafted beside it, and put there as a whole or not at all --------------------------
+# ---- the place of a new data set: drafted in a sibling folder, and moved there as a whole or not at all -------------
 
 
 def _without_detour(folder: Path) -> Path:
@@ -340,7 +340,7 @@ def _check_place(folder: Path) -> None:
 
 @contextmanager
 def _temporary_sibling(folder: Path) -> Iterator[Path]:
-    """A new folder on the disk of the data set's place, gone at the end.
+    """A new folder on the disk of the data set's place, removed at the end.
 
     Raises:
         InputError: nothing can be written there.

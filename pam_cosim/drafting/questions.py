@@ -1,4 +1,4 @@
-"""What is told of a new data set: what was recognised and guessed, what only the experimenter knows, what to type."""
+"""The report of a new data set: what was recognised and guessed, what only the experimenter knows, what to type."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ _FEWEST_ROWS = 2  # that a recording may have
 
 @dataclass(frozen=True)
 class Guess:
-    """One line of what is told: a column or a run, what it is taken for, and why ("": the file says so)."""
+    """One line of the report: a column or a run, what it is taken for, and why ("": the file states it)."""
 
     what: str
     taken_as: str
@@ -145,7 +145,9 @@ def _of_points(draft: Draft, i: int, file: str) -> Iterator[Guess]:
         )
     for name, taken in draft.points.hold_out[i].items():
         yield Guess(
-            file, f"held out: {name} = {listed(taken)}", "guessed: they lie within what is fitted"
+            file,
+            f"held out: {name} = {listed(taken)}",
+            "guessed: they lie within the range of the fitted rows",
         )
 
 
@@ -177,19 +179,19 @@ def _meanings(draft: Draft) -> dict[str, Meaning | None]:
 
 
 def _used(draft: Draft) -> set[str]:
-    """The columns that are read, be it in a formula."""
+    """The columns that are read, also in a formula."""
     return {c.name for c in draft.bench.choice.fed.values()} | used_in(draft.evidence)
 
 
 def _what_holds_it(draft: Draft) -> Iterator[str]:
-    """Whether the load end hangs, is sprung or is held, where the recordings leave that open."""
+    """Whether the load end hangs, is sprung or is held, where the recordings do not determine that."""
     meanings, choice = _meanings(draft), draft.bench.choice
     recorded = {c.kind for c in draft.evidence.signals}
     for name, column in choice.moving_lengths.items():
         if draft.points is None and choice.freer:
             yield (
                 f"{name} is taken for imposed, and {column.name} moves: if the muscle itself moved it, against a load "
-                f"that hangs or a spring, say --model '{choice.freer}'"
+                f"that hangs or a spring, use --model '{choice.freer}'"
             )
     forces = [n for n, c in choice.inputs.items() if c.kind == "force"]
     if forces and draft.points is None:
@@ -202,7 +204,7 @@ def _what_holds_it(draft: Draft) -> Iterator[str]:
     if draft.bench.why and not recorded & set(MECHANICAL) and not draft.points and not has_body:
         yield (
             "neither a length nor a force was recorded, so that this is taken for a vessel of fixed volume: if it "
-            "is a muscle, say what holds it, --model NAME ('pam-cosim bench --list')"
+            "is a muscle, state what holds it, --model NAME ('pam-cosim bench --list')"
         )
 
 
@@ -212,7 +214,7 @@ def _what_drives_it(draft: Draft) -> Iterator[str]:
     for name in unfed:
         description = draft.interface.inputs[name].description
         hint = f"--parameter '{name}=...', --column {name}=..., or of each file --parameter {name}@FILE=..."
-        yield f"no column and no line of the files tells the input {name} ({description}): {hint}"
+        yield f"no column and no line of the files states the input {name} ({description}): {hint}"
     volts = [
         c for c in draft.evidence.columns if c.kind == "voltage" and c.name not in _used(draft)
     ]
@@ -221,7 +223,7 @@ def _what_drives_it(draft: Draft) -> Iterator[str]:
         valve = "u_out" if "exhaust" in roles else "u_in" if "inlet" in roles else ""
         size = ("p_set", "60 kPa/V") if not valve else (valve, "40 mA/V")
         yield (
-            f"{column.name} is a voltage and is not read: if it drives the rig, say what it commands, as in --column "
+            f"{column.name} is a voltage and is not read: if it drives the rig, state what it commands, as in --column "
             f"{scaling(size[0], column.name, size[1])}, or the valve, as in --model 'proportional-pressure-valve and "
             f"hanging-load' --column {quote(f'u={column.name}')}"
         )
@@ -229,7 +231,7 @@ def _what_drives_it(draft: Draft) -> Iterator[str]:
     if pressure and draft.points is None:
         yield (
             f"nothing was recorded that drives the pressure, so that {pressure[0]} is taken as imposed: valves, supply "
-            "and gas are no part of the model then; if a column drives them, say which, as --column NAME=COLUMN "
+            "and gas are no part of the model then; if a column drives them, state which, as --column NAME=COLUMN "
             "--model NAME"
         )
     halves = {c.name for c in draft.bench.choice.inputs.values() if c.formula}
@@ -241,7 +243,7 @@ def _what_drives_it(draft: Draft) -> Iterator[str]:
 
 
 def _valve_data(draft: Draft) -> Iterator[str]:
-    """Calibrations of valves, which a data sheet tells."""
+    """Calibrations of valves, which a data sheet states."""
     names = [
         n
         for n in draft.open.free
@@ -249,8 +251,8 @@ def _valve_data(draft: Draft) -> Iterator[str]:
     ]
     if names and not draft.valve:
         yield (
-            f"flow area of the valves: {listed(names)} is free; where a data sheet tells the area or the nominal flow "
-            f"at an input, say {EXAMPLES}"
+            f"flow area of the valves: {listed(names)} is free; where a data sheet states the area or the nominal flow "
+            f"at an input, add {EXAMPLES}"
         )
 
 
@@ -265,7 +267,7 @@ def _which_muscle(draft: Draft) -> Iterator[str]:
         return
     if not any(n.rpartition(".")[2] == "L0" for n in stated):
         yield (
-            "which muscle it is, nobody says: it is taken for the bench's own without the friction of its fibres; say "
+            "the muscle is not stated: the bench's default is used without the friction of its fibres; add "
             "--muscle DMSP-20-300 (type and length in mm; 'pam-cosim bench --list' has the types)"
             + (f", or its measures, --parameter '{name}=250 mm' and more" if name else "")
         )
@@ -288,12 +290,12 @@ def _rows_at_rest(draft: Draft) -> Iterator[str]:
     if draft.points is not None:
         yield (
             "no column is the time, so that each row is taken for a point at rest: where rows are samples of a "
-            "recording, say how far they are apart, --recording interval='1 ms'"
+            "recording, state their distance, --recording interval='1 ms'"
         )
 
 
 def _clocks(draft: Draft) -> Iterator[str]:
-    """Files of several clocks, and how long a recording lasts by a unit of time that nobody wrote."""
+    """Files of several clocks, and how long a recording lasts by a guessed unit of time."""
     merged = [s.file.name for s in draft.evidence.sources if s.is_merged]
     if merged:
         yield (
@@ -313,7 +315,7 @@ def _clocks(draft: Draft) -> Iterator[str]:
 
 
 def _markers(draft: Draft) -> Iterator[str]:
-    """Numbers that may mark missing samples, and how to say so; words that were met are said again."""
+    """Numbers that may mark missing samples, and the option for that; it repeats the words that were found."""
     for name, column in draft.bench.choice.fed.items():
         is_input = name in draft.interface.inputs
         if is_input and draft.points is not None:
@@ -326,7 +328,7 @@ def _markers(draft: Draft) -> Iterator[str]:
             yield (
                 f"{column.name} is {value:.15g} in {len(values) - len(unmarked)} of {len(values)} samples, and between "
                 f"{unmarked.min():g} and {unmarked.max():g} in all others: where that number marks a missing sample, "
-                f"say --recording 'missing={words}'"
+                f"add --recording 'missing={words}'"
             )
 
 
@@ -380,12 +382,12 @@ def _below_zero(draft: Draft) -> Iterator[str]:
     for name, least, say in below_zero(draft):
         yield (
             f"{name} goes down to {format_quantity(least, 'm')}, as if the muscle were longer than at rest: its zero "
-            f"is that of the instrument; which reading is zero? Say it, as in {say}"
+            f"is that of the instrument; which reading is zero? State it, as in {say}"
         )
 
 
 def _absolute(draft: Draft) -> Iterator[str]:
-    """A supply beside a pressure that was found to be absolute; points that begin at the pressure of the atmosphere."""
+    """A supply in a recording whose other pressure is absolute; points that begin at the pressure of the atmosphere."""
     entries = draft.mapped.entries
     absolute = [e.name for e in entries.values() if any(ABSOLUTE_GAUGE in why for why in e.why)]
     supplies = [
@@ -420,19 +422,19 @@ def _angles(draft: Draft) -> Iterator[str]:
     for column in draft.evidence.columns:
         if column.kind == "angle" and not lengths and column.name not in _used(draft):
             yield (
-                f"{column.name} is an angle: if the load hangs on a pulley, say its radius, as in --column "
+                f"{column.name} is an angle: if the load hangs on a pulley, state its radius, as in --column "
                 f"{scaling('x', column.name, '20 mm/rad')}"
             )
     for name, entry in draft.mapped.entries.items():
         if entry.words and not set(entry.words.values()) & {"up", "down"}:
             yield (
-                f"nothing tells which way {entry.column or name} means by {listed(entry.words)}: write up or down for "
-                "each under [columns]"
+                f"the directions that {entry.column or name} means by {listed(entry.words)} are unknown: write up or "
+                "down for each under [columns]"
             )
 
 
 def _runs(draft: Draft) -> Iterator[str]:
-    """Runs that nothing checks, that begin in motion, or that have hardly a row."""
+    """Runs that nothing checks, that begin in motion, or that have too few rows."""
     over_time = draft.points is None
     held_out = any(role.role == "holdout" for role in draft.roles)
     if not held_out and (draft.points is None or not any(draft.points.hold_out)):
@@ -441,7 +443,7 @@ def _runs(draft: Draft) -> Iterator[str]:
             * over_time
         )
         runs = runs_in_words(len(draft.roles))
-        yield f"nothing is held out of {runs}: nothing checks a fit on data it has not seen{hint}"
+        yield f"nothing is held out of {runs}: no fit is checked on other data{hint}"
     named = list(zip(draft.recordings, draft.mapped.runs, strict=True)) if over_time else []
     moving = [
         f
@@ -458,7 +460,7 @@ def _runs(draft: Draft) -> Iterator[str]:
 def _free(draft: Draft) -> Iterator[str]:
     free = [name for name in draft.open.free if not draft.is_known(name)]
     if free:
-        yield f"free for the fit, since nobody calibrated them: {listed(free)}"
+        yield f"free for the fit, since they are not calibrated: {listed(free)}"
     elif draft.open.perhaps:
         yield "nothing is free: see [fit] for what may be, or let diagnose look"
     else:

@@ -73,7 +73,7 @@ class Source:
 
     @property
     def name(self) -> str:
-        """Of the run that it becomes, as far as files are not renamed."""
+        """Name of the run, unless files are renamed."""
         return self.file.stem if self.part is None else f"{self.file.stem} part {self.part.number}"
 
 
@@ -97,7 +97,7 @@ def places_of(name: str, sources: Sequence[Source], option: str = "") -> list[in
 
 
 def recording_table(settings: Mapping[str, object]) -> RecordingTable:
-    """What the user says of ``[recording]``.
+    """The table ``[recording]`` as the user states it.
 
     Raises:
         InputError: there is no such key, or its value cannot be used.
@@ -154,7 +154,7 @@ def _texts(file: Path, layout: Layout) -> dict[str, tuple[str, ...]]:
 def _directions(
     texts: Sequence[dict[str, tuple[str, ...]]], headings: Headings
 ) -> dict[str, tuple[str, ...]]:
-    """The different words of each column that tells a direction, in all files together."""
+    """The different words of each column of directions, in all files together."""
     words: dict[str, tuple[str, ...]] = {}
     for heading in dict.fromkeys(heading for t in texts for heading in t):
         cells = tuple(dict.fromkeys(c.casefold() for t in texts for c in t.get(heading, ())))
@@ -218,7 +218,7 @@ def _remarks(file: Path, layout: Layout, table: Table) -> tuple[str, ...]:
 
 
 def _with_hint(error: InputError) -> InputError:
-    """The error, saying what to type here: what stands under ``[recording]`` is said beforehand."""
+    """The error with the option of this command for a key of ``[recording]``."""
     here = ""
     if "header is missing" in error.message:
         here = " (here: --recording 'names=time [s],p [kPa]', a name for each column)"

@@ -50,7 +50,7 @@ class Role:
 
 @dataclass(frozen=True)
 class Sigma:
-    """Standard deviation [SI], None where it is not told; and from where."""
+    """Standard deviation [SI], None where it is unknown; and from where."""
 
     value: float | None
     why: str
@@ -86,7 +86,7 @@ def roles(
         if np.isfinite(values).all() and span(values) > _SAME_TRAIT * float(np.max(np.abs(values)))
     }
     if not traits:
-        result[-1] = Role("holdout", "the last: as far as is seen, all are alike")
+        result[-1] = Role("holdout", "the last: the recordings do not differ in any trait")
         return result
     scaled = np.array([(v - v.min()) / span(v) for _, v in traits.values()]).T
     fitted = list(range(len(runs)))
@@ -105,9 +105,9 @@ def roles(
         unit, values = traits[name]
         ends = float(values[chosen]), float(np.min(values[fitted])), float(np.max(values[fitted]))
         level, *span_of = (format_quantity(v, unit) for v in ends)
-        how = "none lies within what the others span, and this one goes least beyond it"
+        how = "no recording lies within the range of the others, and this one exceeds it least"
         if within:
-            how = "it lies within what the fitted runs span and differs from each"
+            how = "it lies within the range of the fitted runs and differs from each"
         result[chosen] = Role("holdout", f"{how}: {name} {level}, theirs {' to '.join(span_of)}")
     return result
 
@@ -137,7 +137,7 @@ def _traits(
 
 
 def _travel(values: Array) -> float:
-    """How far a signal goes up and down, in some two hundred steps."""
+    """Total variation of a signal, sampled in about two hundred steps."""
     return float(np.nansum(np.abs(np.diff(values[:: max(1, len(values) // 200)]))))
 
 
@@ -158,7 +158,7 @@ def stated_roles(
         for i in places_of(name, sources):
             result[i] = Role(role)
     if not any(r.role == "fit" for r in result):
-        raise InputError("no recording would be left to fit")
+        raise InputError("no recording would remain to fit")
     return result
 
 
@@ -200,7 +200,7 @@ def sigma_of(name: str, unit: str, runs: Sequence[MappedRun], files: Sequence[Pa
 
 
 def _why_none(name: str, runs: Sequence[MappedRun]) -> str:
-    """Why the recordings tell no noise."""
+    """Why the recordings show no noise."""
     if not any(run.rests for run in runs):
         return "nothing is at rest long enough"
     values = [run.outputs[name] for run in runs if name in run.outputs]
@@ -232,7 +232,9 @@ def check_imposed(
         what = variable.description[:1].lower() + variable.description[1:]
         name = variable.name
         say = f"--parameter '{name}=0 {unit}' for all rows, or --parameter '{name}@FILE=0 {unit}' for each file"
-        raise InputError(f"no column and no file's name tells the {what} ({name}); say it: {say}")
+        raise InputError(
+            f"neither a column nor a file's name states the {what} ({name}); state it: {say}"
+        )
 
 
 def points_draft(
@@ -264,7 +266,7 @@ def points_draft(
 
 
 def _in_names(files: Sequence[Path], headings: Headings) -> list[str]:
-    """up or down for each file, where every name says one of them, and both are said; none where they do not."""
+    """up or down for each file, where every name states one of them and both occur; else none."""
     words = [[word for word in split_words(file.stem) if len(word) > 1] for file in files]
     ways = [set(map(headings.direction_word, file_words)) - {0} for file_words in words]
     if not all(len(way) == 1 for way in ways) or len(set[int]().union(*ways)) != 2:
@@ -273,7 +275,7 @@ def _in_names(files: Sequence[Path], headings: Headings) -> list[str]:
 
 
 def _ways(inputs: Mapping[str, Array], units: Mapping[str, str]) -> Array:
-    """(n,) 1 or -1 by the order of the rows, 0 where that tells nothing."""
+    """(n,) 1 or -1 by the order of the rows, 0 where the order has no direction."""
     first = [name for unit in CONTRACTS for name in inputs if units[name] == unit]
     return directions(inputs, first)[0] if first else np.zeros(1)
 

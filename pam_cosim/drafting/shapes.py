@@ -126,7 +126,7 @@ def moving(time: Array, values: Array) -> np.ndarray:
 
 
 def rests(time: Array, columns: Sequence[Array]) -> list[Rest]:
-    """The intervals in which no column moves, of enough samples to tell noise by."""
+    """The intervals in which no column moves, with enough samples to estimate noise."""
     still = np.ones(len(time), dtype=bool)
     for values in columns:
         still &= ~moving(time, values)
@@ -140,12 +140,12 @@ def rests(time: Array, columns: Sequence[Array]) -> list[Rest]:
 
 
 def _from_lowest(values: Array) -> Array:
-    """Less the lowest of them: means of many like numbers differ in the last digit, means of noughts do not."""
+    """The values less the lowest: means of equal numbers differ in the last digit, means of zeros do not."""
     return values - np.nanmin(values) if np.isfinite(values).any() else values
 
 
 def begins_still(time: Array, columns: Sequence[Array]) -> bool:
-    """Whether nothing moves in the first samples, be they too few to tell noise by."""
+    """Whether nothing moves in the first samples, even if they are too few to estimate noise."""
     return all(
         span(values[:_FEWEST_IN_WINDOW])
         <= max(REST_BAND * span(values), NOISE_SPAN * noise_of(time, values))

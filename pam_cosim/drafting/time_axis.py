@@ -68,8 +68,8 @@ def with_time(
         for c in columns
         if c.name == wanted.name or (_is_clock(c) and _rises(c))
     }
-    beside = {c.name: _beside(time, c, units, headings) for c in columns if _is_clock(c)}
-    return [time if c.name == time.name else beside.get(c.name, c) for c in columns], time
+    clocks = {c.name: _second_clock(time, c, units, headings) for c in columns if _is_clock(c)}
+    return [time if c.name == time.name else clocks.get(c.name, c) for c in columns], time
 
 
 def _is_clock(column: RecordedColumn) -> bool:
@@ -104,10 +104,10 @@ def _is_time(unit: str) -> bool:
     return True
 
 
-def _beside(
+def _second_clock(
     time: RecordedColumn, column: RecordedColumn, units: Mapping[str, str], headings: Headings
 ) -> RecordedColumn:
-    """A clock beside the one that is the time."""
+    """A second clock, in addition to the column that is the time."""
     if column.name == time.name:
         return time
     if not _rises(column) or time.values.keys().isdisjoint(column.values):
@@ -135,7 +135,7 @@ def _rises(column: RecordedColumn) -> bool:
 
 
 def _runs(column: RecordedColumn) -> bool:
-    """Whether numbers of which nobody knows what they are rise in every row, and about evenly: as a clock does."""
+    """Whether numbers of unknown meaning rise in every row, and about evenly: as a clock does."""
     steps = [np.diff(v) for v in column.values.values() if len(v) > 1]
     return bool(steps) and all(
         bool((step > 0.0).all()) and float(step.max()) <= LONGEST_STEP * float(np.median(step))
@@ -144,7 +144,7 @@ def _runs(column: RecordedColumn) -> bool:
 
 
 def _unit_of(column: RecordedColumn, headings: Headings) -> tuple[str, tuple[str, ...]]:
-    """The unit of a column of time, and why; none, where one is written that nobody knows."""
+    """The unit of a column of time, and why; none, where an unknown unit is written."""
     if column.unknown:
         return "", column.why
     if column.unit and headings.fits(column.unit, "time"):
@@ -205,7 +205,7 @@ def check_time(
 
 
 def _may_be_points(columns: Sequence[RecordedColumn], sources: Sequence[Source]) -> bool:
-    """Whether tables without time are of points at rest: so few rows that somebody waited for each, and no valve."""
+    """Whether tables without time are of points at rest: so few rows that each may be an equilibrium, and no valve."""
     is_driven = any(c.kind in ("command", "current") for c in columns)
     has_pressure = any(c.of("pressure") or c.of("pressure", "set") for c in columns)
     rows = max(len(next(iter(s.table.columns.values())).values) for s in sources)
@@ -223,11 +223,11 @@ def _check_no_clock(
     )
     texts = ((source, source.clocks[0]) for source in sources if source.clocks)
     for source, name, why in (
-        *((s, n, "this text says when each row was taken, and no other column is the time; a time of day is read "
-          f"beside its date, as {shown(EXAMPLE)}; write it so,") for s, n in texts),
+        *((s, n, "this text states when each row was recorded, and no other column is the time; a time of day is read "
+          f"together with its date, as {shown(EXAMPLE)}; write it so,") for s, n in texts),
         *((s, n, "it is called as the time is, and has no value in any row;") for s, n in empty),
     ):  # fmt: skip
-        say = f"say --recording interval='1 ms' where rows are evenly apart, or --recording 'ignore={name}'"
+        say = f"state --recording interval='1 ms' where rows are evenly apart, or --recording 'ignore={name}'"
         message = f"{why} {say} where each row is a point at rest"
         raise InputError(message, source.file, source.table.header_line, name)
 
@@ -238,8 +238,8 @@ def _is_called_time(name: str, headings: Headings) -> bool:
 
 
 def _no_time_among(source: Source) -> str:
-    """What to say of a file in which nothing is the time."""
-    hint = "say which by --column time=NAME, or --recording interval='1 ms' where rows are evenly apart"
+    """The message on a file without a column of time."""
+    hint = "state which by --column time=NAME, or --recording interval='1 ms' where rows are evenly apart"
     dates = (
         f"; {shown(source.clocks[0])} is text: dates are read as {EXAMPLE}" if source.clocks else ""
     )
@@ -247,7 +247,7 @@ def _no_time_among(source: Source) -> str:
 
 
 def _other_columns(first: Source, source: Source, time: RecordedColumn) -> str:
-    """What to say of a file that lacks the column that is the time in another one."""
+    """The message on a file that lacks the time column of another file."""
     if time.name in source.table.columns:
         return f"the column {shown(time.name)} of time has no value"
     here, there = listed(source.table.columns), listed(first.table.columns)
@@ -258,7 +258,7 @@ def _other_columns(first: Source, source: Source, time: RecordedColumn) -> str:
     )
 
 
-# ---- clocks that are too coarse for their rows, or run beside another one --------------------------------------------
+# ---- clocks that are too coarse for their rows, and files with several clocks ----------------------------------------
 
 
 def even_interval(times: Sequence[Array]) -> str | None:
@@ -323,7 +323,7 @@ def with_one_clock(
     clocks: SeveralClocks,
     headings: Headings,
 ) -> list[Source]:
-    """The recordings with a row for each time of any clock, on that of the first; they are written anew.
+    """The recordings with a row for each time of any clock, on that of the first; they are written to new files.
 
     A reading stands in the rows of its own clock. What is imposed has a value in every row: a command the last one or
     one between its neighbours; where nothing is known to be a command, so do the columns of the first clock.

@@ -1,4 +1,4 @@
-"""Values of parameters: what the user and the files tell of each run, what follows, and what only a fit tells."""
+"""Values of parameters: what the user and the files state of each run, what follows, and what only a fit determines."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def with_full_names(evidence: Evidence, interface: Interface) -> Evidence:
 
 
 def with_length(evidence: Evidence, bench: Bench) -> Evidence:
-    """With the length of the muscle that a column, the user or the names of the files tell."""
+    """With the length of the muscle that a column, the user or the names of the files state."""
     name = length_parameter(bench.interface)
     if name is None or name in evidence.stated:
         return evidence
@@ -116,12 +116,12 @@ def _following(owner: str, stated: Mapping[str, str], interface: Interface) -> l
     hint = " or ".join(f"--parameter {name}=0" for name in defaults)
     raise InputError(
         f"the sleeve is determined by three of {listed(names)}: {listed(stated_names)} is stated, and the default of "
-        f"{listed(defaults)} holds too; state three, or say what shall follow from the others: {hint}"
+        f"{listed(defaults)} holds too; state three, or state which measure follows from the others: {hint}"
     )
 
 
 def neutral(evidence: Evidence, bench: Bench) -> dict[str, str]:
-    """Values of what only one laboratory's muscle has, where nobody names a muscle: they let an effect say it."""
+    """Neutral values of what only a named muscle has, where no muscle is named: an effect may add it."""
     if bench.muscle or evidence.points:
         return {}
     values = dict(evidence.headings.vocabulary.neutral)
@@ -140,7 +140,7 @@ def neutral(evidence: Evidence, bench: Bench) -> dict[str, str]:
 
 
 def values_told(evidence: Evidence, bench: Bench, mapped: Mapped) -> list[dict[str, StatedValue]]:
-    """What each recording tells of itself, as far as the user does not state it: the last of these that does counts.
+    """Values that each recording states, unless the user states them: the last of the following sources counts.
 
     Where an input begins, loads in its name, what its columns hold besides, remarks above its rows, the user.
     """
@@ -216,7 +216,7 @@ def _of_remarks(i: int, evidence: Evidence, bench: Bench) -> dict[str, StatedVal
         names = [n for n, v in unfed.items() if headings.variable(v) == remark.meaning]
         if remark.meaning.kind == "mass" or "ambient" in remark.meaning.roles:
             names = _meant(remark.meaning, unit, number, interface, headings)
-        why = f"a line above the rows says so: {remark.text}"
+        why = f"a line above the rows states it: {remark.text}"
         values |= {name: StatedValue(remark.value, number, why) for name in names}
     return values
 
@@ -249,7 +249,7 @@ def _is_possible(value: float, parameter: Variable) -> bool:
 
 
 def _loads(evidence: Evidence, interface: Interface) -> list[dict[str, StatedValue]]:
-    """Loads that the names of the files tell, where one parameter only can be meant.
+    """Loads in the names of the files, where one parameter only can be meant.
 
     Where a force is imposed, a weight is that force and no mass.
     """
@@ -262,7 +262,7 @@ def _loads(evidence: Evidence, interface: Interface) -> list[dict[str, StatedVal
     stated = [(text, mass) for text, mass in filter(None, loads)]
     if not all(_is_possible(mass, interface.parameters[masses[0]]) for _, mass in stated):
         return [{} for _ in loads]
-    why = "the file's name says so"
+    why = "the file's name states it"
     return [
         {
             masses[0]: StatedValue(
@@ -275,12 +275,12 @@ def _loads(evidence: Evidence, interface: Interface) -> list[dict[str, StatedVal
     ]
 
 
-# ---- which parameters somebody can state, and which only a fit tells -------------------------------------------------
+# ---- which parameters somebody can state, and which only a fit determines --------------------------------------------
 
 
 @dataclass(frozen=True)
 class OpenParameters:
-    """Parameters of a bench: free in a fit, that may be free besides, and that somebody with a rule can state."""
+    """Parameters of a bench: free in a fit, possibly free, and those that can be measured and stated."""
 
     free: dict[str, Variable]
     perhaps: dict[str, Variable]
@@ -288,7 +288,7 @@ class OpenParameters:
 
 
 def open_parameters(interface: Interface, headings: Headings, points: bool) -> OpenParameters:
-    """Which parameters are free, by what is said of them.
+    """Which parameters are free, by their descriptions.
 
     Args:
         interface: of the bench.

@@ -1,4 +1,4 @@
-"""Linear least squares within bounds, exactly: what is expected of models and times of steps ask for it.
+"""Linear least squares within bounds, exactly.
 
 Primal-dual active sets: which bounds hold is guessed, the others are solved for, and the solution says which bounds to
 hold next, those that it is beyond, and which to release, those that the slope leads away from. Hintermüller, Ito and
@@ -90,11 +90,11 @@ def _triangle(rows: Array, right: Array) -> tuple[Array, Array]:
 def _of_rows(rows: Array, right: Array, low: Array, high: Array) -> Array:
     """The solution for columns of length one."""
 
-    def beside(x: Array, free: NDArray[np.bool_]) -> Array:
+    def solve_free(x: Array, free: NDArray[np.bool_]) -> Array:
         return np.asarray(np.linalg.lstsq(rows[:, free], right - rows @ x, rcond=None)[0])
 
     x = _active_sets(
-        beside, lambda x: rows.T @ (rows @ x - right), low, high, float(np.linalg.norm(right))
+        solve_free, lambda x: rows.T @ (rows @ x - right), low, high, float(np.linalg.norm(right))
     )
     return _one_bound_at_a_time(rows, right, low, high) if x is None else x
 
@@ -102,10 +102,12 @@ def _of_rows(rows: Array, right: Array, low: Array, high: Array) -> Array:
 def _of_square(square: Array, along: Array, low: Array, high: Array) -> Array:
     """The same for a quadratic form, positive definite."""
 
-    def beside(x: Array, free: NDArray[np.bool_]) -> Array:
+    def solve_free(x: Array, free: NDArray[np.bool_]) -> Array:
         return np.asarray(np.linalg.solve(square[np.ix_(free, free)], (along - square @ x)[free]))
 
-    x = _active_sets(beside, lambda x: square @ x - along, low, high, float(np.linalg.norm(along)))
+    x = _active_sets(
+        solve_free, lambda x: square @ x - along, low, high, float(np.linalg.norm(along))
+    )
     if x is None:
         lower: Array = np.asarray(np.linalg.cholesky(square), dtype=float)
         right = solve_triangular(lower, along, lower=True, check_finite=False)
@@ -114,7 +116,7 @@ def _of_square(square: Array, along: Array, low: Array, high: Array) -> Array:
 
 
 def _active_sets(
-    beside: Callable[[Array, NDArray[np.bool_]], Array],
+    solve_free: Callable[[Array, NDArray[np.bool_]], Array],
     slope_at: Callable[[Array], Array],
     low: Array,
     high: Array,
@@ -122,15 +124,15 @@ def _active_sets(
 ) -> Array | None:
     """The minimum within bounds; None: the guesses go in a circle.
 
-    A side is -1 at the lower bound, 1 at the upper one, 0 between them. ``beside`` solves for what is free, given the
-    others.
+    A side is -1 at the lower bound, 1 at the upper one, 0 between them. ``solve_free`` solves for the
+    free ones, given the others.
     """
     side = np.zeros(len(low), dtype=int)
     for _ in range(_ROUNDS):
         x: Array = np.where(side < 0, low, np.where(side > 0, high, 0.0))
         free = side == 0
         if free.any():
-            x[free] = beside(x, free)
+            x[free] = solve_free(x, free)
         slope = slope_at(x)
         slope[free] = 0.0
         if _is_minimum(x, slope, side, low, high, size):

@@ -21,7 +21,7 @@ from pam_cosim.starts import StartChoice, starts_are_open
 def with_starts(
     simulator: AnySimulator, data: DataSet, parameters: Mapping[str, float] | None = None
 ) -> DataSet:
-    """The same where every run says how it begins.
+    """The same where every run states how it begins.
 
     Args:
         simulator: the model.

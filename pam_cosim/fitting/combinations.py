@@ -1,4 +1,4 @@
-"""What is known of two parameters that the data cannot tell apart: their product, or their ratio."""
+"""What is known of two parameters that the data cannot separate: their product, or their ratio."""
 
 from __future__ import annotations
 

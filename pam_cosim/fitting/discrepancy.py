@@ -1,9 +1,9 @@
 """The discrepancy of a fitted model in addition to the noise: a stationary process, estimated from its residuals.
 
-A model that lacks an effect errs for a while in one direction. Beside white noise, its residual then contains a course
-about zero, here of one variance and one memory in all runs, and independent from run to run (Kennedy and O'Hagan,
-Journal of the Royal Statistical Society B 63, 2001, with a first-order autoregressive course). A few independent pieces
-of residuals determine the variance poorly, so that bands are those of Student's distribution.
+A model that lacks an effect errs for a while in one direction. In addition to white noise, its residual then
+contains a process about zero, here of one variance and one memory in all runs, and independent from run to run (Kennedy
+and O'Hagan, Journal of the Royal Statistical Society B 63, 2001, with a first-order autoregressive process). A few
+independent pieces of residuals determine the variance poorly, so that bands are those of Student's distribution.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ class _Residual:
 
 
 def _residuals(runs: Sequence[RunComparison], signal: Signal, predicted: str) -> list[_Residual]:
-    """One for each run that says something, held-out ones before fitted ones."""
+    """One for each run with information, held-out ones before fitted ones."""
     usable = [
         r
         for r in runs
@@ -118,7 +118,7 @@ def _residual(compared: RunComparison, signal: Signal) -> _Residual:
 
 
 def _memory(time: Array, error: Array, excess: float) -> float:
-    """Integral of the autocorrelation about zero up to where it is gone, the white part left out [s]."""
+    """Integral of the autocorrelation about zero up to where it vanishes, without the white part [s]."""
     count = len(time)
     grid = np.linspace(time[0], time[-1], count)
     step = float(grid[1] - grid[0])
@@ -152,7 +152,7 @@ def _estimate(parts: Sequence[_Residual], pieces: float, spent: float) -> Discre
 
 
 def _of_mean(span: float) -> float:
-    """Variance of the mean of an exponentially correlated course over so many memories, over that of its value."""
+    """Variance of the mean of an exponentially correlated process over so many memories, over that of its value."""
     if span < 1e-4:
         return 1.0
     return 2.0 * (span - 1.0 + exp(-span)) / span**2

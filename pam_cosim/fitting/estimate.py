@@ -24,7 +24,7 @@ class Estimate:
         unit: SI unit.
         at_bound: the fit ended at a bound, so the interval is one-sided at best.
         determined: the data say something about it.
-        held: it was held at this value, since the fit is as good with it there.
+        held: it was held at this value, since the fit is no worse with it there.
         run: the one run that it is of; empty: all.
         prior: what was known of it beforehand [unit].
     """

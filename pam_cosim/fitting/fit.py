@@ -173,7 +173,7 @@ class Fit(Printed, Tabular):
         }
 
     def confused(self) -> tuple[str, ...]:
-        """A sentence for each pair of parameters that these data hardly tell apart."""
+        """A sentence for each pair of parameters that these data hardly separate."""
         names = list(self.parameters)
         stated = {frozenset(c.names) for c in self.combinations}
         sentences = []

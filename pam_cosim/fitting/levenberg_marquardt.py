@@ -56,7 +56,7 @@ def levenberg_marquardt(
 
     Args:
         squares: sum of squared residuals at a place; infinite where the model breaks down, where no step leads then.
-        triangle: (m, n + 1) the triangular factor of the slopes beside the residuals; asked for where ``squares`` was
+        triangle: (m, n + 1) the triangular factor of the slopes and the residuals; asked for where ``squares`` was
             asked last and is finite.
         start: (n,) within the bounds, where the residuals are finite.
         bounds: lower and upper, (n,) each.

@@ -71,7 +71,7 @@ def bounded_step(linear: Linear) -> Array:
 def prior_rows(
     names: Sequence[str], values: Array, priors: Mapping[str, Prior]
 ) -> tuple[Array, Array]:
-    """(k,) slopes of what priors say of parameters, and (k,) what would take it away; zeros where they say nothing."""
+    """(k,) slopes of the priors of parameters, and (k,) the shifts that would remove them; zeros without a prior."""
     determined = [
         (priors[n].slope(v), -priors[n].surprise(v)) if n in priors else (0.0, 0.0)
         for n, v in zip(names, values.tolist(), strict=True)

@@ -201,7 +201,7 @@ class Objective:
         return self._squares_at[point]
 
     def triangle(self, z: Array) -> Array:
-        """The residuals linearised about ``z`` as few rows: the triangular factor of the slopes beside the residuals.
+        """The residuals linearised about ``z`` as few rows: the triangular factor of the slopes and the residuals.
 
         (m, parameters + 1), m at most parameters + 1. The sum of squares is finite there. A descent goes on from
         ``z``: so do the start values.
@@ -318,7 +318,7 @@ class Objective:
             return False
 
     def glance(self, z: Array) -> float:
-        """The squared residuals of the first and the last run, which cost little and tell a good start from a bad one.
+        """The squared residuals of the first and the last run, which distinguish good initial guesses cheaply.
 
         Infinite where a simulation breaks down.
         """

@@ -1,4 +1,4 @@
-"""How a fit goes."""
+"""Options of a fit."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pam_cosim.simulation import Simulator
 
 @dataclass(frozen=True)
 class FitOptions:
-    """How a fit goes; the defaults suit a fit that stands alone.
+    """Options of a fit; the defaults suit a single fit.
 
     Attributes:
         method: name of the method, as in ``fitting.METHODS``.
@@ -27,7 +27,7 @@ class FitOptions:
         tolerance: relative, of the solver; None: tight enough for the noise and for finite differences.
         precision: a descent ends where a step takes away less than this part of the chi-square.
         rows: of the linearised model about the optimum that the fit keeps; 0: none is kept.
-        second_look: whether start values of runs are looked for once more where a descent ends above the noise.
+        second_look: whether start values of runs are estimated again where a descent ends above the noise.
         rules: whether to say where the error sits.
         holdout_uncertainty: whether to say what held-out runs gain as far as the parameters are uncertain.
         simulations: runs that are simulated, after which no descent goes on.

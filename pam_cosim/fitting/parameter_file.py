@@ -91,7 +91,7 @@ def _ssv(fit: Fit) -> str:
 
 
 def _definition(unit: str) -> BaseUnit | None:
-    """A unit by SI base units; None: an FMU of somebody else's may have one that nobody knows."""
+    """A unit by SI base units; None: an FMU of another tool may have an unknown unit."""
     try:
         return base_unit(unit)
     except UnitError:

@@ -1,4 +1,4 @@
-"""What the data leave open of the parameters: weighted samples from about Laplace's approximation, between bounds."""
+"""The posterior of the parameters: weighted samples from about Laplace's approximation, between bounds."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class ParameterPosterior:
 
     @property
     def effective(self) -> float:
-        """How many samples of equal weight say as much (Kish 1965)."""
+        """The effective sample size (Kish 1965)."""
         return float(1.0 / np.sum(self.weights**2))
 
     @property

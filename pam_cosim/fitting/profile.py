@@ -59,7 +59,7 @@ class Profile:
 
     @property
     def determined(self) -> bool:
-        """Whether the data say something about the parameter on one side at least."""
+        """Whether the data bound the parameter on one side at least."""
         return bool(np.isfinite(self.low) or np.isfinite(self.high))
 
     def followers(self) -> dict[str, float]:
@@ -79,7 +79,7 @@ class Profile:
         return powers
 
     def sentence(self) -> str:
-        """What the data say of it, in words."""
+        """What the data determine of it, in words."""
         unit = "" if self.unit == "1" else f" {self.unit}"
         low = f"{self.low:.4g}" if np.isfinite(self.low) else "its lower bound"
         high = f"{self.high:.4g}" if np.isfinite(self.high) else "its upper bound"

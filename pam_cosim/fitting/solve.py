@@ -85,7 +85,7 @@ def _points(free: Sequence[Free], starts: Sequence[Mapping[str, float]]) -> list
 
 
 def _starts(objective: Objective, points: Sequence[Array]) -> Iterator[Array]:
-    """The points at which every run can be simulated, the best first as far as a glance at two runs tells.
+    """The points at which every run can be simulated, the best first by the residuals of two runs.
 
     A glance does not see what acts in the other runs: the stated start goes first where all runs say so.
     """
@@ -109,7 +109,7 @@ def _starts(objective: Objective, points: Sequence[Array]) -> Iterator[Array]:
 
 
 def _winners(problem: FitProblem, starts: Iterator[Array]) -> Iterator[Array]:
-    """Where a few steps from the best starts lead, the lowest first: a glance does not tell one valley from another.
+    """Where a few steps from the best initial guesses lead, the lowest first: two runs do not distinguish local minima.
 
     Once one leads to the noise, no further one is tried.
     """

@@ -77,7 +77,7 @@ def estimated_starts(
 def runs_without_start(
     data: DataSet, values: Mapping[str, float], interface: Interface
 ) -> list[Run]:
-    """The runs of which the values do not say where they begin: a start value is named "state@run"."""
+    """The runs without given start values: a start value is named "state@run"."""
     runs_with_start = {
         name.rpartition("@")[2] for name in values if name.rpartition("@")[0] in interface.states
     }
@@ -90,7 +90,7 @@ def simulated(
     values: Mapping[str, float],
     runs: Sequence[Run] | None = None,
 ) -> tuple[tuple[RunComparison, ...], dict[str, Estimate]]:
-    """Runs (default: all) beside their samples, with given parameters [SI], and the starts that were to be estimated.
+    """Runs (default: all) compared with their samples at given parameters [SI], and the estimated starts.
 
     Raises:
         SimulationFailure: a run did not reach its end.

@@ -1,4 +1,4 @@
-"""What is told of a fit while it goes on, and how it came down."""
+"""The progress of a fit, and its convergence."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class Convergence:
 
 
 class Tracker:
-    """Keeps the lowest point that was seen, and tells of it.
+    """Keeps the lowest point so far, and reports it.
 
     Args:
         units: SI units of the signals.
@@ -87,7 +87,7 @@ class Tracker:
         rmse: Callable[[], dict[str, float]] | None,
         values: Callable[[], dict[str, float]] = dict,
     ) -> None:
-        """A point was simulated; ``rmse`` None: it was known from before, and nobody needs to be told."""
+        """A point was simulated; ``rmse`` None: it was known from before and is not reported."""
         if np.isfinite(chi2_reduced) and (not self._lowest or chi2_reduced < self._lowest[-1][1]):
             self._lowest.append((evaluations, chi2_reduced))
             if rmse is not None and self.progress is not None:

@@ -119,7 +119,7 @@ def cached_fmu(
 
 
 def cached_description(key: str, make_ode: Callable[[], Ode]) -> Path:
-    """What ``cached_fmu`` says of itself, alone in a folder of the cache: made without a compiler.
+    """The model description of ``cached_fmu``, alone in a folder of the cache: made without a compiler.
 
     Args:
         key: as in ``cached_fmu``.

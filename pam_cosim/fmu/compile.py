@@ -76,7 +76,7 @@ def _fmi_headers() -> Path:
 
 
 def headers(fmi: str) -> list[Path]:
-    """The header files that the runtime needs beside the C compiler's own, with those of one version of FMI.
+    """The header files that the runtime needs in addition to the C compiler's own, with those of one version of FMI.
 
     They are those of the releases 2.0.1 and 3.0.1. FMPy changed one of its copies, which has a copy in the runtime.
     """

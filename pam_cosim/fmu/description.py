@@ -42,7 +42,7 @@ def model_identifier(model: str) -> str:
 
 
 def units(root: Xml.Element, variables: Iterable[Variable]) -> None:
-    """UnitDefinitions: every unit in use with the display units asked for.
+    """UnitDefinitions: every unit in use with the requested display units.
 
     Raises:
         ModelError: a unit that cannot be read.
@@ -161,7 +161,7 @@ def _number(name: str, attribute: str, value: float | None) -> str:
 
 @dataclass(frozen=True)
 class ModelStructure:
-    """Unknown variables, by index from 1 in the table of entries, and what they depend on, as far as that is told."""
+    """Unknown variables, by index from 1 in the table of entries, and what they depend on, as far as that is stated."""
 
     outputs: list[int]
     derivatives: list[int]

@@ -70,7 +70,7 @@ class Placed:
 
 
 class Pictures:
-    """What the annotations of a library say of its looks."""
+    """The drawing annotations of a library."""
 
     def __init__(self, files: Sequence[Path] = ()) -> None:
         self.library = Library(modelica_root(), files)

@@ -1,4 +1,4 @@
-"""C source of one model: the functions and tables that ``pam_model.h`` asks for."""
+"""C source of one model: the functions and tables that ``pam_model.h`` declares."""
 
 from __future__ import annotations
 
@@ -261,7 +261,7 @@ _SHARED = re.compile(r"(?m)^(?=casadi_real casadi_\w+\()")
 
 
 def _without_helpers(source: str) -> str:
-    """Leaves out what CasADi adds for its own importer and nobody calls here; the rest is the file's own."""
+    """Leaves out what CasADi adds for its own importer, which is not used here."""
     return _SHARED.sub("static ", _UNUSED.sub("", _HELPER.sub("", source)))
 
 

@@ -107,7 +107,7 @@ def _description(path: Path) -> ModelDescription:
 
 @lru_cache(maxsize=_KEPT)
 def _read(path: Path, changed: int, size: int) -> ModelDescription:
-    """The description of a file as it was at an instant; nobody writes into it."""
+    """The description of a file as it was at an instant; it must not be changed."""
     try:
         _check_names(path)
         _check_version_and_indices(path)
@@ -353,7 +353,7 @@ def read_interface(path: Path) -> Interface:
 
 @lru_cache(maxsize=_KEPT)
 def interface_of(description: ModelDescription) -> Interface:
-    """The interface that a model description declares; nobody writes into it."""
+    """The interface that a model description declares; it must not be changed."""
     groups: dict[str, dict[str, Variable]] = {
         "input": {},
         "output": {},
@@ -436,7 +436,7 @@ def _refusal(slot: Slot) -> str:
         start = slot.starts[0]
         return f"it is a structural parameter, which sets sizes of arrays, and stays {start:g}"
     if slot.kind == "String" and causality != "parameter":
-        return f"it is a String and an {causality}, of which there is no curve"
+        return f"it is a String and an {causality}, which has no trajectory"
     return ""
 
 
@@ -477,7 +477,7 @@ def _attribute(scalar: Any, name: str) -> Any:
 
 
 def _text(scalar: Any, name: str) -> str:
-    """A text that is shown to people; it may be of somebody else."""
+    """A text that is shown to people; it may come from another tool."""
     text = getattr(scalar, name) if name == "description" else _attribute(scalar, name)
     return printable(text or "")
 
@@ -516,7 +516,7 @@ def integer_span(kind: str) -> tuple[int, int]:
 
 
 def feedthrough(path: Path) -> tuple[dict[str, frozenset[str]], bool]:
-    """Which inputs each output depends on at once, and whether the model description says so for all of them.
+    """Which inputs each output depends on at once, and whether the model description states so for all of them.
 
     By FMI an output without a declaration depends on every input.
 

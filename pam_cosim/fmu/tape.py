@@ -1,4 +1,4 @@
-"""A model as data (``fmu/pam_tape.c``): the operations of its functions, and the tables beside them.
+"""A model as data (``fmu/pam_tape.c``): the operations of its functions, and the tables of their operands.
 
 No compiler is needed for it. It gives the numbers of the compiled model to the last bit, somewhat more slowly: it is
 for models that are run a few times.

@@ -14,8 +14,8 @@ may be any function of time does not win by being able to:
 
 What cannot be told apart is found, not assumed: two unknown inputs that push every state and every signal in the same
 direction at all times are one, and the ledger says so. Not told apart, and not noticed: two missing terms of one
-balance; a term and what a free parameter can imitate of it (``Course.imitated``); a fault that changes from run to run
-and physics; two instruments at fault; a fault of an instrument together with a wrong law that only it shows.
+balance; a term and what a free parameter can imitate of it (``TermSeries.imitated``); a fault that changes from run to
+run and physics; two instruments at fault; a fault of an instrument together with a wrong law that only it shows.
 """
 
 from __future__ import annotations
@@ -208,7 +208,7 @@ class _Estimation:
         )
 
     def _confusion(self, balance: str) -> str:
-        """What to say where a law replaced by an unknown input in ``balance`` explains as much."""
+        """The message where a law replaced by an unknown input in ``balance`` explains as much."""
         sentence = next(
             (words for _, hidden, words in self.domain.confused if hidden == balance), None
         )

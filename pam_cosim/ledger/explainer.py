@@ -1,4 +1,4 @@
-"""Explanations of the samples by unknown inputs of a model: the smoothing problem, its grid, what can be told apart."""
+"""Explanations of the samples by unknown inputs of a model: smoothing problem, grid, and separable inputs."""
 
 from __future__ import annotations
 
@@ -140,7 +140,7 @@ class Explainer:
         return min(_SPACING, longest / _FEWEST_NODES)
 
     def _grid(self, augmented: AugmentedModel) -> Grid:
-        """The grid of an augmented model, fine enough for the model by itself: a finer one changes nothing."""
+        """The grid of an augmented model, fine enough for the model alone: a finer one changes nothing."""
         key = self.models.index(augmented)
         if key not in self.grids:
             self.grids[key] = self._refined_grid(augmented)
@@ -191,7 +191,7 @@ class Explainer:
         states: tuple[Array, Array] | None = None,
         hidden: str | None = None,
     ) -> SmoothedModel | None:
-        """The model with all unknown inputs that act and can be told apart; None without any, or if it breaks down."""
+        """The model with all unknown inputs that act and can be separated; None without any, or if it breaks down."""
         problem, states = self.problem(augmented, augmented.unknown_inputs, hidden, states)
         distinct_inputs = self._distinct(augmented, problem, states[0])
         if not distinct_inputs:
@@ -210,7 +210,7 @@ class Explainer:
     def _distinct(
         self, augmented: AugmentedModel, problem: SmoothingProblem, x: Array
     ) -> tuple[UnknownInput, ...]:
-        """The unknown inputs that act, one of each set that the model cannot tell apart."""
+        """The unknown inputs that act, one of each set that the model cannot separate."""
         if not augmented.unknown_inputs:
             return ()
         grid, distinct = problem.grid, list[int]()

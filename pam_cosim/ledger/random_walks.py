@@ -87,7 +87,7 @@ _LOWEST, _HIGHEST = -18.0, 9.0  # natural logarithm of the noise intensity
 
 
 CLOSED = float(np.exp(_LOWEST))
-"""The noise intensity of a term that is as good as absent."""
+"""The noise intensity of a term that is practically absent."""
 
 
 def likeliest_noise_intensity(

@@ -194,7 +194,7 @@ class _Linearised:
     def least_squares(
         self, j: int | None = None, readings: Array | None = None, span: float = 1.0
     ) -> _Solution:
-        """The free parameters, and a fault of signal ``j`` whose reading with slopes is (N, 1 + Q) ``course``."""
+        """The free parameters, and a fault of signal ``j`` whose reading with slopes is ``readings``, (N, 1 + Q)."""
         problem, slopes, residual = (
             self.problem,
             self.slopes,

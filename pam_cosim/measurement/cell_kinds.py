@@ -37,12 +37,12 @@ _DATE = re.compile(r"\d{1,2}([./-])\d{1,2}\1(\d{2}|\d{4})|\d{4}([./-])\d{1,2}\3\
 
 
 def is_number(cell: str) -> bool:
-    """Whether a cell can be read as a number: it is one, be it grouped by thousands, or a date with a time of day."""
+    """Whether a cell can be read as a number, possibly grouped by thousands, or as a date with a time of day."""
     return bool(NUMBER.fullmatch(cell) or _GROUPED.fullmatch(cell)) or is_date_time(cell)
 
 
 def decimal_sign_of(cell: str) -> str:
-    """The decimal sign of a number whose thousands are grouped by a point or a comma; "" where nothing tells."""
+    """The decimal sign of a number whose thousands are grouped by a point or a comma; "" where it is undetermined."""
     if not _GROUPED.fullmatch(cell) or not {",", "."}.intersection(cell):
         return ""
     last = "," if cell.rfind(",") > cell.rfind(".") else "."
@@ -125,7 +125,7 @@ def unit_of(cells: Sequence[str]) -> str:
 
 
 def is_measured(cell: str) -> bool:
-    """Whether a cell holds a number, be it with a unit."""
+    """Whether a cell holds a number, with or without a unit."""
     return is_number(cell) or bool(unit_behind(cell))
 
 

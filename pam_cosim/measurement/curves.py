@@ -102,7 +102,7 @@ def _dividing(level_of: Mapping[str, Indices | None], names: Iterable[str]) -> d
 
 
 def _level(values: Array, chosen: Indices) -> float:
-    """The value of some rows, no finer than levels are told apart."""
+    """The value of some rows, no finer than levels are distinguished."""
     step = 10.0 ** np.floor(np.log10(_LEVEL * float(np.ptp(values)) / 2))
     return float(np.round(np.median(values[chosen]) / step) * step)
 

@@ -123,7 +123,7 @@ class Overrides:
         return values.get(run.name) if run.is_static else stated_of(run.name, values)
 
     def check(self, title: str, runs: Sequence[str]) -> None:
-        """Refuses what is said of a run that there is not.
+        """Refuses statements about a run that does not exist.
 
         Raises:
             InputError: names the nearest one.
@@ -134,7 +134,7 @@ class Overrides:
 def overrides_of(
     cuts: Mapping[str, Sequence[Moment]] | None = None, starts: Mapping[str, str] | None = None
 ) -> Overrides:
-    """What is said of runs, checked but for their names.
+    """What is stated of runs, checked except for their names.
 
     Raises:
         InputError: no such times; no way to begin.

@@ -143,7 +143,7 @@ class DataSet(Printed):
     unmapped: str = ""
 
     def model_for(self, requested: str | None) -> str:
-        """The model to use where one is asked for (None: the bench): with the maps of inputs that these data need."""
+        """The model of a name (None: the bench): with the maps of inputs that these data need."""
         return self.model if requested is None or requested == self.unmapped else requested
 
     @property
@@ -281,7 +281,7 @@ class DataSet(Printed):
 
     def notes(self) -> tuple[str, ...]:
         """What a reader of results from these data should know."""
-        notes = [] if self.holdout_runs else ["no holdout run: no data are left to check a fit"]
+        notes = [] if self.holdout_runs else ["no holdout run: no data remain to check a fit"]
         for name, signal in self.signals.items():
             if signal.assumed:
                 notes.append(f"the noise of {name} is not known: it is assumed")

@@ -63,7 +63,7 @@ def _check_apart(part_a: RunTable, part_b: RunTable) -> None:
     begin = max(interval.get("from", -inf) for interval in ends)
     end = min(interval.get("to", inf) for interval in ends)
     if begin < end:
-        message = f"the file {file} is listed twice, and its runs share samples; from and to say which part each is"
+        message = f"the file {file} is listed twice, and its runs share samples; select their parts with from and to"
         raise part_b.error(message, "file")
 
 
@@ -83,7 +83,7 @@ def _check_keys(run: RunTable, experiment: Experiment, may_choose: bool) -> None
     for file, table in ((Path(file_table.file), file_table.recording) for file_table in files):
         counts = table.states("table") or not may_choose
         if table.table is not None and counts and not may_hold_tables(file):
-            message = f"table chooses one of several in a file, and {file.name} is one by itself"
+            message = f"table selects one of several in a file, and {file.name} has only one"
             raise table.error(f"{message}: leave it out", "table")
     for name, value in run.parameters.items():
         if name in experiment.fit and name not in run.fit:
@@ -94,7 +94,7 @@ def _check_keys(run: RunTable, experiment: Experiment, may_choose: bool) -> None
 def check_branches(
     interface: Interface, tables: Sequence[RunTable], read: Sequence[Sequence[Run]]
 ) -> None:
-    """Where one file tells the direction of its branches, the others do so too."""
+    """Where one file states the direction of its branches, the others must too."""
     if BRANCH not in interface.inputs:
         return
     static = [(table, runs[0]) for table, runs in zip(tables, read, strict=True) if table.is_static]
@@ -242,7 +242,7 @@ def _begun(interface: Interface, table: RunTable, uncut: Run, run: Run, instead:
 
 
 def _curve(run: Run, points: Points, is_first: bool) -> Run:
-    """One curve of a file; the first says how the file was read."""
+    """One curve of a file; the first has the notes on the file."""
     recording = points.recording
     unknown = BRANCH in run.default_inputs
     notes = (

@@ -1,4 +1,4 @@
-"""What ``experiment.toml`` says of inputs that were not measured themselves: fitted maps and free constants."""
+"""What ``experiment.toml`` states of inputs that were not measured themselves: fitted maps and free constants."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, parse_quantity, quotient
 
 _RECORDED_IN = ("V", "A", "1", "Pa", "m", "N", "Hz", "rad")
-"""Units of what may be recorded in the place of an input, besides its own."""
+"""Units of what may be recorded in the place of an input, in addition to its own."""
 
 
 def input_maps(experiment: Experiment, interface: Interface) -> list[InputMap]:

@@ -29,7 +29,7 @@ def end_of_header(lines: Sequence[Line]) -> int:
 
 
 def units_above(above: Sequence[Row], count: int) -> list[str] | None:
-    """What the block above so many names says of their units, "" where it is no unit; None where it says nothing.
+    """The units in the block above the names, "" where it has no unit; None where there is no such line.
 
     A channel's label may be a text of the programmer's; one that names no unit is passed over.
     """
@@ -65,7 +65,7 @@ def completed(lines: list[Line]) -> list[Line]:
 
 
 def _times(above: Sequence[Line], separator: str, count: int) -> list[str]:
-    """The times of so many rows as LabVIEW writes them; empty where the channels' times differ or are not said."""
+    """The times of so many rows as LabVIEW writes them; empty where the channels' times differ or are not stated."""
     cells_by_key = {key: set(cells) for _, line in above for key, *cells in [line.split(separator)]}
     starts, step = (sorted(cells_by_key.get(key, set()) - {""}) for key in (_START, _STEP))
     numbers = [*starts, *step]

@@ -121,7 +121,7 @@ def _with_steps(signal: Signal, samples: Sequence[Array]) -> Signal:
 
 
 def _typical(all_runs: Sequence[Run], signal: str) -> float:
-    """Median over the runs: a run in which the signal shakes says nothing about the instrument. 0: none shows it."""
+    """Median over the runs: a vibrating signal does not show the instrument's noise. 0: no run shows it."""
     runs = [run for run in all_runs if signal in run.measurements]
     estimates = [
         estimate_noise(run.time, run.measurements[signal]) for run in runs if not run.is_static

@@ -1,4 +1,4 @@
-"""Recordings with gaps: a logger that paused, a clock that began anew.
+"""Recordings with gaps: a logger that paused, a clock that restarted.
 
 ``gaps = "split"``: each piece is a run of its own, with a start of its own. ``gaps = "through"``: the model runs
 through the gaps, with the inputs as they are recorded before and after; time that goes back goes on one interval later.
@@ -98,7 +98,7 @@ def _note(time: Array, after: Sequence[int] | NDArray[np.intp]) -> str:
     pause = time[longest + 1] - time[longest]
     return (
         f"{PAUSES} {_times(len(after))}, for {pause:.3g} s after {time[longest]:g} s: the model runs through that "
-        'with the inputs as they were before and after; gaps = "split" lets each piece begin anew'
+        'with the inputs as they were before and after; gaps = "split" gives each piece a start of its own'
     )
 
 

@@ -163,7 +163,7 @@ def _branch(
     imposed: dict[str, Array],
     read: Mapping[str, Array],
 ) -> Array | None:
-    """(n,) direction of each row; None: nobody says."""
+    """(n,) direction of each row; None: unknown."""
     stated, column = run.branch, imposed.get(BRANCH)
     if stated is not None and BRANCH not in interface.inputs:
         message = (
@@ -230,7 +230,7 @@ def _held_out(
                 )
             aside[is_held_out] = 1.0
     if aside.all():
-        raise run.error(f"no row of {table.file.name} is left to fit", "hold_out")
+        raise run.error(f"no row of {table.file.name} remains to fit", "hold_out")
     return aside
 
 

@@ -39,7 +39,8 @@ def read_run(run: RunTable, interface: Interface) -> tuple[Recording, tuple[Path
         other = _recording(logger, run, files[-1], interface)
         offset = _offset(run, logger, recording, other)
         if offset.sd:
-            note = f"the clock of {logger.file} is put {offset.value:.4g} s on, ± {offset.sd:.2g} s, by {logger.match}"
+            shift = f"{offset.value:.4g} s, ± {offset.sd:.2g} s, by {logger.match}"
+            note = f"the clock of {logger.file} is shifted by {shift}"
             recording = replace(recording, notes=(*recording.notes, note))
         try:
             recording = merged(recording, other, offset.value, run.between_samples)

@@ -1,4 +1,4 @@
-"""What ``experiment.toml`` says of how a run begins."""
+"""What ``experiment.toml`` states of how a run begins."""
 
 from __future__ import annotations
 

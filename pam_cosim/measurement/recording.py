@@ -121,7 +121,7 @@ def filled_forward(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def unknown_column(name: str, interface: Interface, time: bool = True) -> str:
-    """What to say of a column that the bench does not know; ``time``: one of time is expected."""
+    """The message on a column that the bench does not know; ``time``: one of time is expected."""
     if name in interface.parameters:
         return f"{shown(name)} is a parameter of {interface.model}; set it under [runs.parameters]"
     headings = _headings(interface, time)
@@ -179,7 +179,7 @@ def converted(table: Table, name: str, variable: Variable) -> NDArray[np.float64
 
 
 def _check_pressure(table: Table, name: str, reference: str, of_model: str) -> None:
-    """Raises InputError where a column says "absolute" or "gauge", and the pressures of the model are not known so."""
+    """Raises InputError where a column states "absolute" or "gauge", and the model's pressures are unknown."""
     if reference == of_model:
         return
     unit = table.columns[name].unit

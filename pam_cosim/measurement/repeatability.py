@@ -70,7 +70,7 @@ def _with_repeatability_as_noise(signal: Signal) -> Signal:
 
 
 def _repeated_pairs(runs: Sequence[Run]) -> Iterator[tuple[Run, Run]]:
-    """Pairs of runs of the same test: equal parameters, and inputs that are as good as equal."""
+    """Pairs of runs of the same test: equal parameters, and inputs that are practically equal."""
     pairs = {
         name: [r.inputs[name] for r in runs if name in r.inputs] for a in runs for name in a.inputs
     }

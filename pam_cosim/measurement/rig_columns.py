@@ -37,7 +37,7 @@ class RigColumn:
     offset: float
 
     def numbers(self, values: Array) -> Array:
-        """(n,) what the file says where the input has these values [SI]."""
+        """(n,) the values in the file where the input has these values [SI]."""
         return (np.asarray(values) - self.offset) / self.gain
 
 

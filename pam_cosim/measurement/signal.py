@@ -128,5 +128,5 @@ class Signal:
 
     @property
     def is_coarse(self) -> bool:
-        """Whether steps, and not the noise, say how far readings are off (Widrow and Kollar 2008)."""
+        """Whether steps, and not the noise, determine the error of readings (Widrow and Kollar 2008)."""
         return bool(self.step) and 2.0 * self.noise < self.step

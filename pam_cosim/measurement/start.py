@@ -42,5 +42,5 @@ class Start:
 
     @property
     def is_found(self) -> bool:
-        """Whether the run's own samples say where it begins."""
+        """Whether the run's own samples determine where it begins."""
         return self.mode in ("measured", "estimated") or self.periodic

@@ -161,7 +161,7 @@ def is_unit(text: str) -> bool:
 
 
 def names_unit(text: str) -> bool:
-    """Whether a text is a unit; that of an absolute pressure is one too, of which the column is told."""
+    """Whether a text is a unit; that of an absolute pressure is one too."""
     return is_unit(text) or pressure_reference(text)[1] == "absolute"
 
 

@@ -1,4 +1,4 @@
-"""Reads a text file that a person or a program wrote, or says why it cannot be read."""
+"""Reads a text file that a person or a program wrote, or raises the reason why it cannot be read."""
 
 from __future__ import annotations
 

@@ -67,7 +67,7 @@ def other_line(number: int) -> str:
 
 
 def _without_labels(above: list[Row], count: int) -> list[Row]:
-    """The rows less those just above the numbers that say one word of all columns, such as their type, or of none."""
+    """The rows without those just above the numbers that repeat one word for all columns, such as their type."""
     while len(above) > 1 and len(above[-2].cells) >= count > 1 and _ends(count, above[-1].cells):
         if len({cell for cell in above[-1].cells if cell}) != 1:
             break

@@ -26,7 +26,7 @@ class Row:
 
 
 def is_comment(line: str) -> bool:
-    """Whether a line says nothing but to people."""
+    """Whether a line is a comment."""
     return COMMENT.match(line) is not None
 
 

@@ -1,4 +1,4 @@
-"""Clocks that are counters of so many bits, which begin anew when these are full."""
+"""Clocks that are counters of so many bits, which restart at zero when they are full."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pam_cosim.measurement.table import Column, Table
 LONGEST_STEP = 3.0  # median steps: a clock has no longer step
 
 WRAPPED = "a counter was full"
-"""How a note on a clock that began anew begins."""
+"""The first words of a note on a clock that restarted."""
 _BITS = (16, 32)
 
 

@@ -39,7 +39,7 @@ class Domain:
     instruments: tuple[tuple[str, str], ...] = ()
 
     def faults(self, families: Sequence[str]) -> dict[str, str]:
-        """What those families say of an instrument that are faults of one, by family."""
+        """The sentence on the instrument for each family of instrument faults."""
         sentences = {
             WRONG_PARAMETER: "what the data set states of a parameter is not so",
             **dict(self.instruments),

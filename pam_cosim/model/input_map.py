@@ -39,5 +39,5 @@ def offset_of(name: str) -> str:
 
 
 def constant_of(name: str) -> str:
-    """The parameter that takes the place of an input which nobody recorded."""
+    """The parameter that takes the place of an input that was not recorded."""
     return f"{name}_constant"

@@ -164,7 +164,7 @@ class Interface(Printed):
 
     @property
     def record_delays(self) -> dict[str, Variable]:
-        """Parameters by whose sum the readings are recorded late: what is asked for at t was there that much before."""
+        """Parameters whose sum is the delay of the readings: the reading at t is the value that much earlier."""
         return {name: v for name, v in self.parameters.items() if v.quantity == RECORD_DELAY}
 
     @property

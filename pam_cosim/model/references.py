@@ -1,4 +1,4 @@
-"""What a name says: of a model that it is a bench, a class or a file; of a parameter that it is a ratio."""
+"""What a name refers to: a bench, a class or a file; a parameter or a ratio."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def sources_of(files: Sequence[Path], *models: str) -> tuple[Path, ...]:
 
 
 BRANCH = "branch"
-"""The input of a bench by which points at rest tell the direction in which they were reached: 1, -1, or 0."""
+"""The input of a bench that is the direction in which points at rest were reached: 1, -1, or 0."""
 
 START_VALUES = "start values"
 """Stands for the start values of all states, where the parameters are named by which a model differentiates."""

@@ -169,7 +169,7 @@ class _Resolution:
                 self._note(run.name, self._overruled(correction, stated))
 
     def _note_missing_runs(self) -> None:
-        """Says that values of runs are kept which the data set does not have."""
+        """Warns of values of runs that the data set does not have."""
         missing = {
             correction.run: None
             for correction in self.model_values.corrections

@@ -1,4 +1,4 @@
-"""How much memory a process with somebody else's FMU may take, where the system has such a limit."""
+"""How much memory a process with an FMU of another tool may take, where the system has such a limit."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ VARIABLE = "PAM_COSIM_FMU_MEMORY"
 
 
 def _asked() -> float:
-    """Bytes: what the environment says in GB, or the default."""
+    """Bytes: the limit in the environment [GB], or the default."""
     with contextlib.suppress(ValueError):
         limit = float(os.environ.get(VARIABLE, ""))
         if 0 < limit < 1e6:
@@ -19,7 +19,7 @@ def _asked() -> float:
 
 
 MOST_MEMORY = _asked()
-"""Bytes of data beside what is loaded."""
+"""Bytes of data in addition to the loaded program."""
 
 
 def limit_memory() -> None:

@@ -1,4 +1,4 @@
-"""Python in other processes: it loads nothing from the current folder, which may be somebody else's data set."""
+"""Python in other processes: it loads nothing from the current folder, which may be an untrusted data set."""
 
 from __future__ import annotations
 

@@ -174,7 +174,7 @@ def _now() -> float:
 
 
 def main(limit: float, command: list[str]) -> None:
-    """Starts the command, serves it, ends it, removes its folder and says what came of it."""
+    """Starts the command, serves it, ends it, removes its folder and reports its outcome."""
     folder = tempfile.mkdtemp(prefix="pam-cosim-fmu-")
     try:
         process = subprocess.Popen(

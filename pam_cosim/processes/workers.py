@@ -124,7 +124,7 @@ def _signal(children: Sequence[BaseProcess], number: int) -> None:
 
 
 def _interruptibly(folder: str, function: Callable[..., Result], *task: Task) -> Result | None:
-    """In a worker, which may have begun elsewhere. None: interrupted, and nobody asks for the result.
+    """In a worker, which may have begun elsewhere. None: interrupted, and the result is not needed.
 
     Args:
         folder: in which paths of the task are meant.
@@ -148,7 +148,7 @@ def _folder() -> str:
 
 @contextmanager
 def local_pool(count: int) -> Iterator[Executor]:
-    """Processes of this machine that take tasks, which ``stop_workers`` ends; they stay for the next one who asks."""
+    """Processes of this machine that take tasks, which ``stop_workers`` ends; they are reused."""
     _start_helpers()
     with sigint_blocked():
         pool = _pool(count)
@@ -160,7 +160,7 @@ def local_pool(count: int) -> Iterator[Executor]:
 
 @contextmanager
 def executor_of(executor: Any) -> Iterator[tuple[Executor, int]]:
-    """An executor and the number of its processes, as far as it tells.
+    """An executor and the number of its processes, if it is known.
 
     Args:
         executor: of ``concurrent.futures``; a Dask client or the address of a Dask scheduler.

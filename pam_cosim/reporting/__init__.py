@@ -1,4 +1,4 @@
-"""Any product -> HTML, PNG, SVG, PDF. What is said of it, without a picture, is in ``pam_cosim.reporting.account``."""
+"""Any product -> HTML, PNG, SVG, PDF. Its sentences, without a picture, are in ``pam_cosim.reporting.account``."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ if not TYPE_CHECKING:
     _ROOMS = ("account.printed", "writing", "live", "comparison_page", "diagnosis_page", "plots")
 
     def __getattr__(name: str) -> object:
-        """Loads what is asked for first: pictures take half a second, and words need none."""
+        """Loads names on first use: pictures take half a second, and words need none."""
         if name in __all__:
             for room in _ROOMS:
                 module = import_module(f"{__name__}.{room}")

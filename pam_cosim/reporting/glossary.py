@@ -12,7 +12,7 @@ WORDS = {
     "repeatability": "standard deviation between runs of the same test (ISO 5725), the instrument's noise included",
     "compared but not fitted": (
         "of a signal that the data set records but does not list: no parameter is fitted to it, and it decides only "
-        "between explanations that are as good without it"
+        "between explanations that fit equally well without it"
     ),
     "folds": "runs are left out in turn, the model is fitted to the others and judged on those (cross-validation)",
     "Δ BIC": (

@@ -1,4 +1,4 @@
-"""What a fit or a diagnosis tells, drawn as it goes in a notebook; elsewhere it is printed."""
+"""The progress of a fit or a diagnosis, drawn in a notebook; elsewhere it is printed."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ _COLUMNS = {
 
 
 class Tried:
-    """The models of a diagnosis that goes on, as its events tell them."""
+    """The models of a running diagnosis, from its events."""
 
     def __init__(self) -> None:
         self.base: Fit | None = None
@@ -85,7 +85,7 @@ class Tried:
 
 
 class Live:
-    """Something to tell: ``pam.fit(data, progress=pam.live())``, ``pam.diagnose(data, progress=pam.live())``.
+    """A receiver of progress: ``pam.fit(data, progress=pam.live())``, ``pam.diagnose(data, progress=pam.live())``.
 
     In a notebook one picture of how things stand, the errors of a fit, the ranking and the verdict of a diagnosis, is
     drawn anew as they change. Elsewhere every line is printed.

@@ -57,7 +57,7 @@ def draw(product: Any, path: Path | str, width: str | float | None = None) -> No
 
 
 def plot_fit(fit: Fit, path: Path | str, width: str | float | None = None) -> None:
-    """Draws how a fit came down, where its descents ended and how its parameters hang together; as ``draw``."""
+    """Draws the convergence of a fit, the ends of its descents and the correlation of its parameters; as ``draw``."""
     _drawn(lambda: fit_figure(fit), path, width)
 
 

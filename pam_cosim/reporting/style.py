@@ -214,7 +214,7 @@ def image(figure: Figure, kind: str = "png", dpi: float = 150) -> bytes:
 
 
 def message(axes: Axes, text: str) -> None:
-    """An empty panel that says why it is empty."""
+    """An empty panel with the reason why it is empty."""
     axes.text(
         0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=SOFT, fontsize=8
     )

@@ -1,4 +1,4 @@
-"""What an FMU can do beside a step."""
+"""What an FMU can do in addition to a step."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from fmpy.model_description import ModelDescription
 
 @dataclass(frozen=True)
 class Abilities:
-    """What an FMU says it can do beside a step.
+    """What an FMU declares that it can do in addition to a step.
 
     Attributes:
         saves: it can save its state and go back to it.
@@ -25,7 +25,7 @@ class Abilities:
 
 
 def abilities_of(description: ModelDescription, slopes: bool) -> Abilities:
-    """What a model description declares; ``slopes`` where the binary has been asked."""
+    """What a model description declares; ``slopes`` where the binary has been queried."""
     flags = description.coSimulation
     return Abilities(
         bool(flags.canGetAndSetFMUstate),

@@ -29,9 +29,9 @@ from pam_cosim.simulation.plan import CommunicationPlan
 from pam_cosim.simulation.values import Selection
 from pam_cosim.wording import printable
 
-# In the order of the function pointers in driver_run, by major version of FMI; version 3 sets up the experiment when
-# it enters initialization mode, and has no slopes of inputs: our own FMUs have a function for them beside FMI, and one
-# for equilibria. Functions that set and get values are those of the variables' types.
+# In the order of the function pointers in driver_run, by major version of FMI; version 3 sets up the experiment when it
+# enters initialization mode, and has no slopes of inputs: our own FMUs have a function for them in addition to FMI, and
+# one for equilibria. Functions that set and get values are those of the variables' types.
 FUNCTIONS: dict[int, tuple[str | None, ...]] = {
     2: (
         "fmi2Reset",
@@ -126,7 +126,7 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Request:
-    """A simulation that is asked of a driver.
+    """A request for a simulation by a driver.
 
     Attributes:
         plan: when what is set and read.
@@ -239,7 +239,7 @@ class Driver:
         values = parameters.spread(np.array(settings, dtype=np.float64))
         texts = parameters.texts(settings)
         strings = (ctypes.c_char_p * max(1, len(texts)))(*texts)
-        course, slopes = inputs.spread(plan.values), inputs.spread(plan.slopes, 0.0)
+        values_at_knots, slopes = inputs.spread(plan.values), inputs.spread(plan.slopes, 0.0)
         sloped = [group for group in inputs.groups if group.is_slope]
         count = len(sloped[0].references) if sloped else 0
         orders = np.ones(count, dtype=np.int32)
@@ -263,7 +263,7 @@ class Driver:
             parameter_values=values.ctypes.data,
             texts=ctypes.addressof(strings),
             inputs=selected[1].variables,
-            input_values=course.ctypes.data,
+            input_values=values_at_knots.ctypes.data,
             input_slopes=slopes.ctypes.data if self._slopes and not request.at_rest else None,
             n_slopes=count,
             orders=orders.ctypes.data,

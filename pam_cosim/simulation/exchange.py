@@ -29,7 +29,7 @@ _FATAL = 4  # status of FMI: nothing may be called after it
 
 
 class _Ended(Exception):
-    """The run cannot go on; ``function`` says where."""
+    """The run cannot continue; ``function`` names the call."""
 
     def __init__(self, function: str, reason: str = "") -> None:
         super().__init__(reason)
@@ -41,7 +41,7 @@ class _EndedByModel(Exception):
 
 
 class _NoInput:
-    """What FMPy's solver asks for inputs: ``_Integrator`` sets them itself."""
+    """The inputs of FMPy's solver: ``_Integrator`` sets them itself."""
 
     def apply(self, time: float) -> None:
         """Nothing."""
@@ -227,7 +227,7 @@ class ExchangeDriver:
         self._rising = np.flatnonzero((slopes != 0.0) & ~self._is_held).tolist()
 
     def move_to(self, time: float) -> None:
-        """Tells the FMU the time [s], and the inputs that change with it."""
+        """Sets the time of the FMU [s], and the inputs that change with it."""
         self.model.setTime(time)
         if self._knot >= 0 and self._rising:
             values, slopes = self._plan.values[self._knot], self._plan.slopes[self._knot]

@@ -33,7 +33,7 @@ class ProcessFailure(RunFailure):
 
 
 class FmuProcess:
-    """Starts the FMU's process when it is asked something, and again when it has ended.
+    """Starts the FMU's process at the first request, and again when it has ended.
 
     Args:
         path: the FMU.
@@ -50,14 +50,14 @@ class FmuProcess:
         )
 
     def close(self) -> None:
-        """Frees the FMU and ends its process, also where it does not want to; the next run would start another."""
+        """Frees the FMU and ends its process, even if it does not respond; the next run starts another."""
         if self._process is not None and self._process.stdin is not None:
             with contextlib.suppress(OSError):
                 watchdog.write_frame(self._process.stdin, watchdog.CLOSE)
         self._end()
 
     def _end(self) -> None:
-        """Ends the process; at once, where it was not told before to close."""
+        """Ends the process; at once, where it was not asked before to close."""
         process, self._process = self._process, None
         if process is None:
             return
@@ -70,7 +70,7 @@ class FmuProcess:
     def answer(
         self, call: str | Callable[..., Any], arguments: dict[str, Any], alone: bool = True
     ) -> Any:
-        """What the FMU's process makes of a call; where not ``alone``, it goes on with what came before.
+        """The answer of the FMU's process to a call; where not ``alone``, it continues from the previous call.
 
         Args:
             call: a function of the simulator there, or a function that takes the model and ``arguments["positional"]``.

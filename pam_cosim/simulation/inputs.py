@@ -68,14 +68,14 @@ def with_held(inputs: Inputs | None, held: Mapping[str, float], start: float) ->
     """
     if not held:
         return inputs
-    course = inputs or Inputs(np.array([start]), {})
+    given = inputs or Inputs(np.array([start]), {})
     for name in held:
-        if name in course.values:
+        if name in given.values:
             raise InputError(
                 f"the input '{name}' is given over time and as a constant; keep one of them"
             )
-    constant = {name: np.full(course.time.shape, value) for name, value in held.items()}
-    return Inputs(course.time, {**course.values, **constant}, course.interpolation)
+    constant = {name: np.full(given.time.shape, value) for name, value in held.items()}
+    return Inputs(given.time, {**given.values, **constant}, given.interpolation)
 
 
 def _first_decrease(time: Array) -> float:
@@ -110,7 +110,7 @@ class Pieces:
 
 
 def pieces(time: Array, values: Array, interpolation: Interpolation) -> Pieces:
-    """The fewest straight lines that say the same as the samples."""
+    """The fewest straight lines through all samples."""
     if interpolation == "previous":
         return _held(time, values)
     step = np.diff(time)

@@ -171,7 +171,7 @@ def major_version(instance: Instance) -> int:
 
 
 def takes_slopes(description: ModelDescription, instance: Instance) -> bool:
-    """Whether inputs may be given with their slopes: by FMI 2.0, or by our own FMUs beside FMI 3.0."""
+    """Whether inputs may be given with their slopes: by FMI 2.0, or by our own FMUs in addition to FMI 3.0."""
     if isinstance(instance, FMU3Slave):
         return hasattr(instance.dll, "pam_set_input_slopes")
     return bool(description.coSimulation.canInterpolateInputs)

@@ -66,7 +66,7 @@ class IsolatedSimulator:
             self.close()
 
     def close(self) -> None:
-        """Frees the FMU and ends its process, also where it does not want to; the next run would start another."""
+        """Frees the FMU and ends its process, even if it does not respond; the next run starts another."""
         self._process.close()
         self._exchange.close()
 

@@ -78,7 +78,7 @@ def opened(
     *,
     brief: bool = False,
 ) -> Simulator | IsolatedSimulator:
-    """A model ready to run; an FMU of somebody else's runs in a process of its own, which it may crash.
+    """A model ready to run; an FMU of another tool runs in a process of its own, which it may crash.
 
     An FMU that this program built on this machine is run as a Modelica model is.
 

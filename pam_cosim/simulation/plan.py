@@ -1,4 +1,4 @@
-"""Communication points: the times of the outputs and those at which an input really changes its course."""
+"""Communication points: the times of the outputs and those at which an input really changes its slope or value."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class CommunicationPlan:
     grid: EqualSteps | None = None
 
     def table(self, values: Array, held: NDArray[np.bool_]) -> Array:
-        """(n, k) values at the times asked for, of those of the rows; (k,) ``held`` are not interpolated."""
+        """(n, k) values at the requested times, from those of the rows; (k,) ``held`` are not interpolated."""
         return values[self.rows] if self.grid is None else self.grid.table(values, held)
 
 

@@ -190,15 +190,15 @@ class Simulator:
         wanted = np.ascontiguousarray(times, dtype=float)
         start = float(wanted[0]) if start_time is None and wanted.size else start_time or 0.0
         held, fmu_settings = self._split(parameters)
-        course = with_held(inputs, held, start)
+        all_inputs = with_held(inputs, held, start)
         late = sum(
             fmu_settings.get(name, v.start or 0.0)
             for name, v in self.interface.record_delays.items()
         )
         shown = np.maximum(wanted - late, start) if late else wanted
-        layout = plan(shown, start, course, self._steps(wanted), self._held)
+        layout = plan(shown, start, all_inputs, self._steps(wanted), self._held)
         names = self._wanted(outputs)
-        values = course.values if course else {}
+        values = all_inputs.values if all_inputs else {}
         if settle != "none" and not self._driver.settles:
             raise InputError(f"a start at rest is an equilibrium, which {_OTHER_TOOLS}", self.path)
         limit = max_seconds or self._usual_limit(len(wanted))
@@ -253,8 +253,8 @@ class Simulator:
         held, fmu_settings = self._split(parameters)
         given = {name: np.asarray(values, dtype=float) for name, values in inputs.items()}
         count = max((values.size for values in given.values()), default=1)
-        course = with_held(Inputs(np.arange(count, dtype=float), given), held, 0.0)
-        values, names = course.values if course else {}, self._wanted(outputs)
+        all_inputs = with_held(Inputs(np.arange(count, dtype=float), given), held, 0.0)
+        values, names = all_inputs.values if all_inputs else {}, self._wanted(outputs)
         limit = max_seconds or self._usual_limit(count)
         outcome = self._outcome(
             points(values, count), fmu_settings, values, names, None, limit, at_rest=True
@@ -382,7 +382,7 @@ class Simulator:
 
     @property
     def abilities(self) -> Abilities:
-        """What the FMU can do beside a step."""
+        """What the FMU can do in addition to a step."""
         return abilities_of(self._description, self._slopes)
 
     def _fresh(self, instance: Instance) -> None:
@@ -404,7 +404,7 @@ class Simulator:
 
     @property
     def progress(self) -> RunProgress | None:
-        """How far the present run is, for another thread to ask; None between runs."""
+        """The progress of the present run, for another thread; None between runs."""
         if self._instance is None:
             return None
         return self._stepper.progress if self._stepper is not None else self._driver.progress
@@ -426,7 +426,7 @@ class Simulator:
                 raise InputError(self.interface.unknown(name, role, variables))
 
     def _messages(self) -> list[str]:
-        """What the FMU has said since the last run, with its variables named."""
+        """Messages of the FMU since the last run, with its variables named."""
         return [named_references(text, self._slots) for text in self._callbacks.take_messages()]
 
     def _changed(self, values: Mapping[str, float]) -> dict[str, float]:

@@ -37,7 +37,7 @@ class _Call:
 
 
 class Stepper:
-    """One run of an FMU, in this process, or in another one that ``RemoteStepper`` asks.
+    """One run of an FMU, in this process, or in another one behind ``RemoteStepper``.
 
     Values are in the units that the model description declares. Every function but ``abilities`` raises ``RunFailure``
     where the FMU fails; ``save`` and what follows from it raise ``InputError`` where the FMU cannot do that.
@@ -71,7 +71,7 @@ class Stepper:
 
     @property
     def progress(self) -> RunProgress | None:
-        """What the FMU is doing, for another thread to ask; None between calls."""
+        """The present call of the FMU, for another thread; None between calls."""
         active = self._active
         return RunProgress(active, self._calls, self.time) if active else None
 
@@ -80,7 +80,7 @@ class Stepper:
         return self._abilities
 
     def take_messages(self) -> list[str]:
-        """What the FMU has said since the last call."""
+        """Messages of the FMU since the last call."""
         return [named_references(text, self._slots) for text in self._callbacks.take_messages()]
 
     def begin(
@@ -266,7 +266,7 @@ class Stepper:
             raise self._failure("fmi3DoStep", reached, _ENDS)
 
     def _calling(self, function: str) -> _Call:
-        """Around a call of the FMU: tells what is done, and turns a bad status into a failure."""
+        """Around a call of the FMU: keeps the name of the call, and turns a bad status into a failure."""
         if not self._begun and not function.lower().endswith("freefmustate"):
             raise RunFailure(f"the run of {self._file} has ended")
         self._calls += 1
@@ -282,7 +282,7 @@ class Stepper:
             raise self._failure(function, reached if has_advanced else self.time, default) from None
 
     def _asked(self, function: str, query: str, kind: int) -> float:
-        """What an FMU of FMI 2.0 says of a step that failed; 0: nothing."""
+        """The status of a failed step of an FMU of FMI 2.0; 0: none."""
         if function != "fmi2DoStep":
             return 0.0
         try:

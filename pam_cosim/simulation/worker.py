@@ -37,7 +37,7 @@ def private_input() -> BinaryIO:
 
 
 class _Worker:
-    """Answers requests, and tells ever so often how far the present one is.
+    """Answers requests, and reports the progress of the present one from time to time.
 
     Args:
         path: the FMU.

@@ -87,7 +87,7 @@ def first_offsets(probe: StartProbe) -> list[FirstOffset]:
         return []
     when = {name: _first_time(probe.run, name) for name in probe.signals}
     times = np.unique(list(when.values()))
-    simulated = probe.course(times)
+    simulated = probe.trajectory(times)
     offsets = [
         _offset(probe, name, float(simulated[name][np.searchsorted(times, time)]))
         for name, time in when.items()
@@ -163,7 +163,7 @@ class StartChoice:
         self._common = self._common_offsets()
 
     def completed(self) -> DataSet:
-        """The data set where every run says how it begins."""
+        """The data set where every run states how it begins."""
         runs = [self._by_itself(run) if _is_open(run) else run for run in self._data.runs]
         undecided = [run for run in runs if _is_open(run)]
         if any(run.start.mode == "estimated" for run in runs):

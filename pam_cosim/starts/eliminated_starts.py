@@ -293,7 +293,7 @@ class EliminatedStarts:
         return bool(better)
 
     def _forget(self, z: Array) -> None:
-        """What ``z`` left: it is asked again, from where start values begin now."""
+        """The residuals at ``z``, evaluated again from the present start values."""
         self._linearised_at = None
         self._at.pop(z.tobytes(), None)
 
@@ -316,7 +316,7 @@ def _range(run_trajectory: Array) -> float:
 
 
 def horizons(run: Run, signals: Sequence[str], unknowns: int) -> list[int]:
-    """How many of the first rows of a run are asked, twice as many each time, before all are.
+    """How many of the first rows of a run are used, twice as many each time, before all are.
 
     The first ones have two samples for each unknown start value.
     """

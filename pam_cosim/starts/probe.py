@@ -83,7 +83,7 @@ class StartProbe:
         count = len(names) - len(self.states)
         return row[:count], row[count:]
 
-    def course(self, times: ArrayLike) -> Trajectory:
+    def trajectory(self, times: ArrayLike) -> Trajectory:
         """The signals at some times as the model begins by itself."""
         return self._simulated(InitialState(), times, self.signals)
 

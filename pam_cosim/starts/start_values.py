@@ -84,7 +84,7 @@ class StartValues:
         return np.asarray(np.linalg.lstsq(slopes * self.sd, -rows, rcond=None)[0] * self.sd)
 
     def within_reach(self, step: Array, reach: float) -> Array:
-        """(k,) a step, made so short that none goes farther than so many deviations of what is known beforehand."""
+        """(k,) a step, shortened to the given number of standard deviations of the prior."""
         farthest = float(np.max(np.abs(step) / self.sd))
         return step * (reach / max(farthest, reach))
 
@@ -107,7 +107,7 @@ class StartValues:
         return np.asarray(self.sd * np.linalg.norm(directions.T / sizes, axis=1))
 
     def determined(self) -> NDArray[np.bool_]:
-        """(k,) which of them the data tell, and not what is known beforehand alone."""
+        """(k,) which of them the data determine, and not the prior alone."""
         return np.asarray((self.deviations() / self.sd) ** 2 < CRITERIA.starts.informed)
 
 
@@ -117,10 +117,11 @@ def settings_of(run: Run, states: Mapping[str, float]) -> dict[str, float]:
 
 
 def eliminate(of: StartValues, simulate: LinearisedRun) -> tuple[Any, Array]:
-    """Moves the start values to where they leave least of the residuals of their run, or hardly more.
+    """Moves the start values to the minimum of the squared residuals of their run, or close to it.
 
-    Beside a model that is far off, the last hundredth of what is left is not worth a run: the next point asks again.
-    Returns the result of a simulation there, and (n,) the residuals without what the start values can take away.
+    For a model that fits badly, the last hundredth of the reduction is not worth a run: the next point repeats the
+    search. Returns the result of a simulation there, and (n,) the residuals without what the start values can take
+    away.
 
     Args:
         of: the start values, which are changed.

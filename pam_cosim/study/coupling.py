@@ -198,7 +198,7 @@ def _from_toml(
 
 
 def _connections(written: Written, components: Mapping[str, Component]) -> tuple[Connection, ...]:
-    """The connections of a file; an input that has two is told where the second one stands."""
+    """The connections of a file; an input with two gets an error with the line of the second one."""
     joined: list[Connection] = []
     connected_inputs: set[Port] = set()
     for text in written.connections:

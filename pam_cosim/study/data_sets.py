@@ -115,7 +115,7 @@ def _check_there(folder: Path | str) -> None:
 
 
 def _domain(model: str, interface: Interface, files: Paths) -> Domain:
-    """The words of the model's field; an FMU says what class it was made from."""
+    """The vocabulary of the model's field; an FMU states from which class it was made."""
     sources = sources_of(as_paths(files), model)
     return known_domain(interface.model if is_fmu(model) else model, sources)
 
@@ -134,7 +134,7 @@ def new(
     roles: Mapping[str, str] | None = None,
     files: Paths = (),
 ) -> NewDataSet:
-    """Writes a data set from recordings as labs have them, and says what was recognised and what was guessed.
+    """Writes a data set from recordings of a laboratory, and reports what was recognised and what was guessed.
 
     ```python
     print(pam.new("my-rig", ["data/run-01.csv", "data/run-02.csv"], parameters={"load.m": "2.27 kg"}))
@@ -187,7 +187,7 @@ def new(
 
 
 def _simulated(data: DataSet, files: Sequence[Path], interface: Interface) -> None:
-    """Simulates the runs of a draft with what it states, unless their inputs are impossible, which is said.
+    """Simulates the runs of a draft with what it states, unless their inputs are impossible, which is reported.
 
     Raises:
         SimulationFailure: a run does not reach its end.

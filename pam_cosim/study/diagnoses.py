@@ -144,7 +144,7 @@ def draw(product: Product | Sweep, path: Path | str, width: str | float | None =
 
 
 def live() -> Callable[[Any], None]:
-    """Something to be told what goes on: ``pam.fit(data, progress=pam.live())``, and so for ``diagnose``.
+    """A receiver of progress: ``pam.fit(data, progress=pam.live())``, and so for ``diagnose``.
 
     In a notebook it draws how things stand: the errors of a fit, the ranking and the verdict of a diagnosis. Elsewhere
     it prints every line.

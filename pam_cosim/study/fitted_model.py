@@ -74,7 +74,7 @@ def _of_the_data(name: str) -> bool:
 
 
 class _Final(BaseModel):
-    """What a JSON document says of the model that its parameters are of."""
+    """The model in a JSON document of parameters."""
 
     model: str = ""
     effects: tuple[str, ...] = ()
@@ -216,7 +216,7 @@ def compose_fitted(
     files: Sequence[Path],
     class_text: str = "",
 ) -> Composition:
-    """The Modelica class of a model with effects and values; its text stands by itself.
+    """The Modelica class of a model with effects and values; its text is self-contained.
 
     Args:
         tree: the library with the user's files.

@@ -17,7 +17,7 @@ from pam_cosim.study.fitted_model import with_base
 def mapped_model(
     model: str, interface: Interface, maps: Sequence[InputMap], files: Sequence[Path] = ()
 ) -> str:
-    """The file of the class that extends a model and binds its inputs; its text stands by itself.
+    """The file of the class that extends a model and binds its inputs; its text is self-contained.
 
     Args:
         model: a bench, a Modelica class or a ``.mo`` file; ``interface`` of it.

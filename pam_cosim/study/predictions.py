@@ -1,4 +1,4 @@
-"""What a fitted model predicts of runs that nobody made, with bands."""
+"""What a fitted model predicts of runs that were not recorded, with bands."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def predict(
     discrepancy: bool = True,
     files: Paths = (),
 ) -> PredictiveBands:
-    """What a fitted model predicts of a run, with 95 % bands of what the data leave open of its parameters.
+    """What a fitted model predicts of a run, with 95 % bands of the uncertainty of its parameters.
 
     The parameters are drawn from Laplace's approximation of their posterior between their bounds
     (``fitting.parameter_posterior``), and the run is simulated with each of them. Readings are off by more: by noise,
@@ -146,7 +146,7 @@ def _run(
     stop_time: Setting | None,
     interval: Setting | None,
 ) -> Run:
-    """A run that nobody made."""
+    """A run that was not recorded."""
     if data.is_static:
         raise InputError("points at rest have no run over time")
     input_series, times = _input_series(interface, inputs, stop_time, interval)

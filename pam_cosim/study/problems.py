@@ -121,7 +121,7 @@ def few_rows(data: DataSet) -> bool:
 
 
 def data_with_starts(problem: Problem, timeout: float | None = None) -> DataSet:
-    """The data set of a problem where every run says how it begins.
+    """The data set of a problem where every run states how it begins.
 
     Args:
         problem: what is compared or fitted.
@@ -135,7 +135,7 @@ def data_with_starts(problem: Problem, timeout: float | None = None) -> DataSet:
 
 
 def _model_values(data: DataSet, name: str, files: Sequence[Path]) -> ModelValues:
-    """What a model says of values: those of its own text, where it is another than the data set's, and corrections."""
+    """Values that a model states: those of its own text, where it is another than the data set's, and corrections."""
     if is_fmu(name):
         return ModelValues()
     sources = sources_of(files, name, *[data.bench] * bool(data.bench))

@@ -1,4 +1,4 @@
-"""The state at which a model agrees with the first samples of a recording that stands by itself."""
+"""The state at which a model agrees with the first samples of a single recording."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def recorded_start(
     files: Paths = (),
     timeout: float | None = None,
 ) -> tuple[dict[str, float], str]:
-    """All states [SI] where the first samples say that a recording begins, and that in a line.
+    """All states [SI] at which a recording begins by its first samples, and that in a line.
 
     Both are empty where they agree with the model's own start.
 

@@ -1,4 +1,4 @@
-"""What a saved product may hold, looked at before any of it is used: the file may come from somebody else."""
+"""What a saved product may hold, checked before any of it is used: the file may come from an untrusted source."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def plain_value(value: Any, kind: type[Any]) -> Any:
 
 
 def check_plain(content: Any, arrays: Mapping[str, Any], is_unit: bool = False) -> None:
-    """Looks at what types do not say: units, complex numbers, and arrays over time of the length of their times.
+    """Checks what types do not state: units, complex numbers, and arrays over time of the length of their times.
 
     Raises:
         ValueError: a text that is no unit, so that none reaches its parser; arrays that do not belong together;

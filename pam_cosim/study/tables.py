@@ -114,7 +114,7 @@ def rig_lines(plan: RunPlan, columns: Mapping[str, RigColumn]) -> list[str]:
 
 
 def planned_files(path: Path, count: int) -> list[Path]:
-    """The files of so many planned runs."""
+    """The files of a number of planned runs."""
     return [path, *(path.with_stem(f"{path.stem}-{number}") for number in range(2, count + 1))]
 
 

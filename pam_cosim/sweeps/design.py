@@ -113,7 +113,7 @@ def design_of(
 
 
 def _check_count(kind: str, runs: int | None, sampled: bool) -> None:
-    """Raises InputError: a number of runs where the values say it, and none where they do not."""
+    """Raises InputError: where a number of runs is given that the values determine, or none where they do not."""
     if sampled and runs is None:
         raise InputError(f"the design '{kind}' needs a number of runs; give the number of runs")
     if not sampled and runs is not None:

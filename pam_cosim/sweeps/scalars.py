@@ -34,7 +34,7 @@ class _Function:
 
 
 def _settled(t: Array, y: Array) -> bool:
-    """Whether a variable is where it will stay, as far as the last part of a run tells."""
+    """Whether a variable has settled, by the last part of a run."""
     last = y[t >= t[-1] - _STEADY_PART * (t[-1] - t[0])]
     return bool(np.ptp(last) <= _SETTLED_CHANGE * abs(y[-1] - y[0]))
 
@@ -111,7 +111,7 @@ class Scalar:
         name: under which it stands in results.
         function: one of ``FUNCTIONS``.
         variable: of the model.
-        argument: the number beside the variable, a part such as 0.9.
+        argument: the number after the variable, a share such as 0.9.
         unit: of the result.
     """
 

@@ -1,4 +1,4 @@
-"""Makes the runs of a sweep, and goes on with one that was stopped."""
+"""Makes the runs of a sweep, and continues one that was stopped."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ class SweepPlan:
                 )
 
     def identity(self) -> dict[str, Any]:
-        """What tells this sweep from others; numbers by their bytes."""
+        """What distinguishes this sweep from others; numbers by their bytes."""
         patterns = [[p.name, _digest(_bytes_of(p.inputs))] for p in self.design.patterns]
         return {
             "model": {"name": self.interface.model, "file": _digest(self.fmu.read_bytes())},

@@ -93,7 +93,7 @@ class Guard:
         origin = headers.get("origin")
         if origin is None:
             if scope["type"] == "websocket" or scope.get("method") not in ("GET", "HEAD"):
-                return "the request does not say from which page it comes"
+                return "the request does not state from which page it comes"
             return None
         if origin != f"http://{host}":
             return "the request comes from the page of another site"

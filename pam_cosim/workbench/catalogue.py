@@ -25,7 +25,7 @@ from pam_cosim.workbench.protocol import Json, selected
 
 
 class Catalogue:
-    """The library beside a model, read once for as long as no file of the user changes.
+    """The library of a model, read once for as long as no file of the user changes.
 
     Args:
         files: further Modelica files.

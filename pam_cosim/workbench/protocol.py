@@ -3,7 +3,7 @@
 A page sends commands, JSON objects such as ``{"id": 7, "do": "set", "values": {"valve.C_A": 0.7}}``; the answer is an
 event ``answer`` with that ``id`` and ``failed`` (null, or what went wrong) to the window that sent the command. Every
 change is sent to all windows. An event is a JSON object whose key ``event`` is its name. Values are in the shown units
-(``unit`` beside them), times in seconds; a number that does not exist is null. Records are selected fields of the
+(with their ``unit``), times in seconds; a number that does not exist is null. Records are selected fields of the
 products (``selected``).
 
 study: state ("open", or "drop" before there is a data set), title, folder; where it is open also model, short (its last

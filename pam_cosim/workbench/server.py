@@ -257,7 +257,7 @@ def serve(
     ):
         workbench.wake()
         tell(f"the workbench is open at {address}")
-        tell("end it with Ctrl-C; whoever has the address can use it")
+        tell("end it with Ctrl-C; anyone who has the address can use it")
         config = uvicorn.Config(
             _opening(application(workbench, token), address if browser else None),
             log_level="warning",

@@ -61,7 +61,7 @@ class StartsShown:
         entry = {"run": run.name, "mode": mode, "modes": _modes(opened)}
         try:
             reach_is_set = all(f"{name}@{run.name}" in self._reach for name in interface.states)
-            course = courses(run, state, opened, begun, only_start=reach_is_set)
+            trajectories = courses(run, state, opened, begun, only_start=reach_is_set)
         except SimulationFailure as failure:
             return entry | {"text": f"{run.name}: {failure}", "warning": True, "values": []}
         return entry | {
@@ -69,16 +69,16 @@ class StartsShown:
             "warning": run.start.mode == "rest" and bool(run.start.reason) and not by_hand,
             "values": [
                 self._value(run, interface.start_values[name], states, begun)
-                for name, states in course.items()
+                for name, states in trajectories.items()
             ],
         }
 
     def _value(
-        self, run: Run, variable: Variable, course: Array, begun: Mapping[str, Estimate]
+        self, run: Run, variable: Variable, trajectory: Array, begun: Mapping[str, Estimate]
     ) -> Json:
         name, factor = f"{variable.name}@{run.name}", readable_factor(variable.unit)
-        value = float(course[0])
-        low, high = self._reach.setdefault(name, _reach(variable, course))
+        value = float(trajectory[0])
+        low, high = self._reach.setdefault(name, _reach(variable, trajectory))
         low, high = self._reach[name] = min(low, value), max(high, value)
         return {
             **interval(begun.get(name), variable.unit),
@@ -118,9 +118,9 @@ def courses(
     return state_trajectory(opened.simulator, state.data, run, values, () if only_start else None)
 
 
-def _reach(variable: Variable, course: Array) -> tuple[float, float]:
+def _reach(variable: Variable, trajectory: Array) -> tuple[float, float]:
     """Between which values a slider moves a start value [SI]."""
-    low, high = float(np.min(course)), float(np.max(course))
+    low, high = float(np.min(trajectory)), float(np.max(trajectory))
     room = _ROOM * (high - low) or 0.1 * max(abs(high), abs(variable.nominal or 0.0)) or 1.0
     low, high = low - room, high + room
     low = low if variable.min is None else max(low, variable.min)

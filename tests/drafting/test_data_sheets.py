@@ -78,13 +78,13 @@ def test_an_area_at_a_voltage_and_of_a_valve_that_is_open_or_shut(tmp_path: Path
 @pytest.mark.parametrize(
     ("name", "text", "words"),
     [
-        ("valves: mA", "large", "is not read; say --valve '0.8 mm2 at 250 mA'"),
+        ("valves: mA", "large", "is not understood; write --valve '0.8 mm2 at 250 mA'"),
         ("valves: mA", "0.8 kg at 250 mA", "cannot be converted"),
-        ("valves: mA", "0.8 mm2", "say at which input"),
+        ("valves: mA", "0.8 mm2", "state at which input"),
         ("valves: mA", "0.8 mm2 at 5 V", "state --valve at such an input"),
         ("valves: mA", "u=0.8 mm2 at 250 mA", "the bench has the valves of u_in, u_out"),
         ("switches: german", "u_in=0.8 mm2", "the bench has one area for both valves, valve.C_A"),
-        ("imposed: french", "0.8 mm2 at 250 mA", "no valve of which a data sheet tells"),
+        ("imposed: french", "0.8 mm2 at 250 mA", "no valve whose area a data sheet states"),
     ],
 )
 def test_a_data_sheet_that_does_not_fit_is_refused(

@@ -149,7 +149,7 @@ def test_measures_of_a_sleeve_that_follow_are_zero(tmp_path: Path) -> None:
 def test_a_unit_of_another_quantity_than_the_name_says(tmp_path: Path, heading: str) -> None:
     rows: list[list[object]] = [[0.01 * k, *row] for k, row in enumerate(steps())]
     file = write(tmp_path / "a.csv", ",".join(["t [s]", heading, "p [bar]", "x [mm]"]), rows)
-    with pytest.raises(InputError, match=r"its name says (pressure|force), its unit .* says"):
+    with pytest.raises(InputError, match=r"its name means (pressure|force), its unit .* means"):
         pam.new(tmp_path / "rig", [file])
     name = heading.split(" [")[0].split(" (")[0]
     made = pam.new(tmp_path / "rig", [file], recording={"ignore": [name]})
@@ -161,7 +161,7 @@ def test_a_current_of_a_transmitter_is_no_valve_s_and_wants_a_scale(tmp_path: Pa
     signal: list[list[object]] = [[t, p_set, 4 + 2 * float(str(p)), x] for t, p_set, p, x in bar]
     heads = "t [s],p_set [bar],Pressure [mA],x [mm]"
     file = write(tmp_path / "a.csv", heads, signal)
-    with pytest.raises(InputError, match="its name says pressure, .* scale the signal, as in"):
+    with pytest.raises(InputError, match="its name means pressure, .* scale the signal, as in"):
         pam.new(tmp_path / "rig", [file])
     scaled = pam.new(tmp_path / "rig", [file], columns={"p": '(Pressure - "4 mA") * "0.5 bar/mA"'})
     expected = [1e5 * float(str(p)) for _, _, p, _ in bar]
@@ -229,7 +229,7 @@ def test_two_rows(tmp_path: Path) -> None:
 def test_what_drives_a_rig_is_asked_and_no_column_suggested_that_is_none(tmp_path: Path) -> None:
     rows: list[list[object]] = [[0.1 * k, 500, k, k + 1] for k in range(50)]
     heads = "t [s],source [kPa],knee_p [kPa],hip_p [kPa]"
-    with pytest.raises(InputError, match="lacks the inputs u; say what columns are, or the bench"):
+    with pytest.raises(InputError, match="lacks the inputs u; state what columns are, or the bench"):
         pam.new(tmp_path / "rig", [write(tmp_path / "a.csv", heads, rows)])
 
 
@@ -343,7 +343,7 @@ def test_a_number_that_marks_missing_samples_is_named(tmp_path: Path, place: int
     made = pam.new(tmp_path / "rig", [file])
     (line,) = said(made, "marks a missing sample")
     assert "is 9999 in 3 of 400 samples" in line
-    assert line.endswith("say --recording 'missing=-,9999'")
+    assert line.endswith("add --recording 'missing=-,9999'")
     if place == 2:
         (sigma,) = [one for one in made.guesses if one.what == "sigma of p"]
         assert "no noise" not in sigma.why
@@ -357,7 +357,7 @@ def test_times_with_units_make_no_points_at_rest(tmp_path: Path, units: tuple[st
     rows = [[f"{0.01 * k:.2f} {units[k // 200]}", *row] for k, row in enumerate(steps())]
     file = write(tmp_path / "a.csv", ",".join(["Time", *SET]), rows)
     if units[0] != units[1]:
-        with pytest.raises(InputError, match=r"'Time': this text says when.*'ignore=Time'"):
+        with pytest.raises(InputError, match=r"'Time': this text states when.*'ignore=Time'"):
             pam.new(tmp_path / "rig", [file])
         return
     made = pam.new(tmp_path / "rig", [file])

@@ -266,7 +266,7 @@ def test_a_label_of_labview_that_is_no_unit_is_passed_over(tmp_path: Path) -> No
 @pytest.mark.parametrize("name", ["X_Value", "Time"])
 def test_an_empty_column_of_times_makes_no_points_at_rest(tmp_path: Path, name: str) -> None:
     file = write(tmp_path / "a.csv", f"{name},p [bar],x [mm]", lambda k: ["", READ[k], LENGTH[k]])
-    with pytest.raises(InputError, match="has no value in any row; say --recording interval="):
+    with pytest.raises(InputError, match="has no value in any row; state --recording interval="):
         pam.new(tmp_path / "rig", [file])
     made = pam.new(tmp_path / "rig", [file], recording={"ignore": [name]}, parameters={"F": "0 N"})
     assert made.data.is_static

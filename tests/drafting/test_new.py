@@ -111,7 +111,7 @@ def test_what_the_user_says_counts(tmp_path: Path) -> None:
     )
     (tmp_path / "a.csv").write_text(text)
     guessed = pam.new(tmp_path / "one", [tmp_path / "a.csv"])
-    assert any("could be it too" in guess.why for guess in guessed.guesses)
+    assert any("may be meant instead" in guess.why for guess in guessed.guesses)
     other = next(
         n for n in ("Druck 1", "Druck 2") if written(guessed)["columns"]["p"]["column"] != n
     )

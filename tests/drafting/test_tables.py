@@ -53,7 +53,7 @@ def test_one_question_where_nobody_says_at_which_contraction(tmp_path: Path) -> 
             write(tmp_path / f"{name}.csv", "p [bar],F [N]", list(zip(p / 1e5, pull, strict=True)))
         )
     with pytest.raises(
-        pam.InputError, match=r"contraction \(x\); say it: --parameter 'x=0 mm'.*'x@FILE=0 mm'"
+        pam.InputError, match=r"contraction \(x\); state it: --parameter 'x=0 mm'.*'x@FILE=0 mm'"
     ):
         pam.new(tmp_path / "rig", files)
     assert not (tmp_path / "rig").exists()

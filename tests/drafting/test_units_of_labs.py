@@ -116,7 +116,7 @@ def test_a_column_of_a_formula_is_named_in_it_and_not_a_part_of_another_name(
 
 def test_counts_want_a_scale(tmp_path: Path) -> None:
     heads, scale = "time [s],p_set [bar],p [bar],x [counts]", {"x": 'x * "0.02 mm"'}
-    with pytest.raises(InputError, match="how large its counts are is not said"):
+    with pytest.raises(InputError, match="the size of its counts is not stated"):
         drafted(tmp_path, heads, x=lambda x: x / 2e-5)
     data = drafted(tmp_path, heads, x=lambda x: x / 2e-5, columns=scale)
     np.testing.assert_allclose(data.runs[0].measurements["x"], CONTRACTION, atol=1e-9)
@@ -125,9 +125,9 @@ def test_counts_want_a_scale(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("head", "said"),
     [
-        ("x [px]", "how large its px are is not said; scale it, as in --column 'x=x "),
-        ("length_px", "how large its px are"),
-        ("Force [mV/V]", "how large its mV/V are is not said; scale it, as in --column 'F=Force "),
+        ("x [px]", "the size of its px is not stated; scale it, as in --column 'x=x "),
+        ("length_px", "the size of its px is not stated"),
+        ("Force [mV/V]", "the size of its mV/V is not stated; scale it, as in --column 'F=Force "),
     ],
 )
 def test_pixels_and_bridges_want_a_scale(tmp_path: Path, head: str, said: str) -> None:

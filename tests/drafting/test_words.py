@@ -104,7 +104,10 @@ def test_absolute_and_known() -> None:
     for name in ("p_psia", "pressure_psia", "p_bara", "p_set_kPaa"):
         assert read_heading(name, "").absolute, name
     assert not any(read_heading(name, "").absolute for name in ("p_psi", "p_psig", "p_para"))
-    assert read_heading("Muskeldruck", "bar").known_share > read_heading("p Kanal sieben", "bar").known_share
+    assert (
+        read_heading("Muskeldruck", "bar").known_share
+        > read_heading("p Kanal sieben", "bar").known_share
+    )
 
 
 @pytest.mark.parametrize(

@@ -205,7 +205,7 @@ TOML_FAULTS = [
         "[signals.p]",
         '[recording]\ntable = "rig"\n[signals.p]',
         "table =",
-        ["table chooses one of several", "run-01.csv is one by itself"],
+        ["table selects one of several", "run-01.csv has only one"],
     ),
     (
         "no fit run",

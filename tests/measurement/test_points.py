@@ -193,7 +193,7 @@ IMPOSED, TIMED = "p [kPa],x [mm]", "time [s],p [kPa],F [N],x [mm],branch"
             [f"'x' is no column of {CSV} that is imposed; those are p, F"],
         ),
         (table(ROWS), 'hold_out = { F = ["2 kPa"] }', [f"{TOML}:10", "F:", "kPa"]),
-        (table(ROWS), 'hold_out = { F = ["20 N", "60 N"] }', [f"no row of {CSV} is left to fit"]),
+        (table(ROWS), 'hold_out = { F = ["20 N", "60 N"] }', [f"no row of {CSV} remains to fit"]),
         (table(ROWS), NOT_STATIC + 'branch = "up"\n', ["branch is for points at rest"]),
         (
             table(ROWS),

@@ -53,5 +53,5 @@ def test_what_a_record_shows_before_the_start_is_the_start(tmp_path):
 
 def test_nothing_is_differentiated_by_it():
     assert smooth_parameters(lag()) == ()
-    with pytest.raises(InputError, match="'late' says how late a record is"):
+    with pytest.raises(InputError, match="'late' is the delay of a record"):
         with_sensitivities(lag(), ["late"])

@@ -71,7 +71,7 @@ def add(
 
 
 def _say_left_out(origin: Path) -> None:
-    """Says which values are factors on what a data set states, where the file does not say what that was."""
+    """Reports values that are factors on stated values of a data set which the file does not name."""
     values_left_out = read_fitted_model(origin).left_out
     if values_left_out:
         note = f"{origin}: {listed(values_left_out)}: of the data and not of the model, which is written without"

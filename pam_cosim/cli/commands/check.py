@@ -43,7 +43,7 @@ def check(
     files: FilesOption = None,
     workers: WorkersOption = None,
 ) -> None:
-    """What a measurement can and cannot tell, before any fit, and what to measure next."""
+    """What a measurement can and cannot determine, before any fit, and what to measure next."""
     check_results(json=json, sources=[model], files=files)
     read = read_data(data, model, files, roles, cuts, begins)
     problem = problem_of(read, model, files, settings, free, None, params, values)

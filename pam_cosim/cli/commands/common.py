@@ -1,4 +1,4 @@
-"""What the commands share: options, where results go, and what an interrupted command says.
+"""What the commands share: options, where results go, and the message of an interrupted command.
 
 Every command loads it, so that it loads no room of the package by itself.
 """
@@ -219,7 +219,7 @@ def check_results(
 
 
 def say_used_with(files: Iterable[Path]) -> None:
-    """Says what a written model is to be used together with."""
+    """Prints what a written model is to be used together with."""
     words = " ".join(f"--file {quote(str(file))}" for file in files)
     if words:
         typer.echo(f"it is used together with what it is made from: {words}", err=True)
@@ -260,7 +260,7 @@ def problem_of(
     params: Path | None = None,
     values: bool = False,
 ) -> Problem:
-    """The problem that the options of a command state; says which stated values do not count, and prints all of them.
+    """The problem that the options of a command state; warns of stated values that do not count, and prints all values.
 
     Args:
         data: the measurement.
@@ -322,7 +322,7 @@ def tell_and_write(
 
 
 def interrupted() -> int:
-    """Ends what the command has started and says what it has written; the status for it."""
+    """Ends what the command has started and reports what it has written; the exit status."""
     if "pam_cosim.processes.workers" in sys.modules:  # who has not loaded it has started nothing
         from pam_cosim.processes.workers import stop_workers
 

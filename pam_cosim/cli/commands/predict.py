@@ -69,7 +69,7 @@ def predict(
     model: ModelOption = None,
     files: FilesOption = None,
 ) -> None:
-    """Predict a run that nobody made, with 95 % bands of what the data leave open."""
+    """Predict a run that was not recorded, with 95 % bands of the parameter uncertainty."""
     check_results(
         json=json, tables=[output], pictures=[plot], sources=[source, model, inputs], files=files
     )

@@ -1,4 +1,4 @@
-"""What is said of a product: sentences and rows of texts, without a picture; for reports, the terminal and the page."""
+"""The sentences of a product, and rows of texts, without a picture; for reports, the terminal and the page."""
 
 from pam_cosim.diagnosis.judgement.verdict_sentences import (
     compared_sentence,

@@ -93,7 +93,7 @@ def _bound_text(bound: float, value: float, digits: int) -> str:
 
 
 def remark(estimate: Estimate) -> str:
-    """What a reader must know before using the value; "" when there is nothing to say."""
+    """What a reader must know before using the value; "" where there is none."""
     remarks = []
     if not estimate.determined:
         remarks.append(
@@ -105,7 +105,7 @@ def remark(estimate: Estimate) -> str:
 
 
 def wrapped(text: str, longest: int = 28, lines: int = 2) -> str:
-    """A label in some lines at most, broken between words and the parts of a name: its end tells it from others."""
+    """A label in some lines at most, broken between words and parts of a name; its end is kept."""
     broken = [""]
     for part in re.findall(r"\s+|[^\s./+,]*[./+,]*", text):
         if broken[-1] and len(broken[-1]) + len(part.rstrip()) > longest:

@@ -1,4 +1,4 @@
-"""Predictions with what the parameters and the noise leave open."""
+"""Predictions with the uncertainty of the parameters and the noise."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a fit came down, where its descents ended, how its parameters hang together, and their profiles."""
+"""The convergence of a fit, the ends of its descents, the correlation of its parameters, and their profiles."""
 
 from __future__ import annotations
 

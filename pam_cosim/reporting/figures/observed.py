@@ -13,7 +13,7 @@ from pam_cosim.units import readable_factor
 
 
 def observation_figure(observation: Observation) -> Figure:
-    """A panel for each estimate that was asked for or whose truth is known, and one for the innovations."""
+    """A panel for each requested estimate or whose truth is known, and one for the innovations."""
     names = list(dict.fromkeys([*observation.outputs, *observation.truth]))
     figure = new_figure(8.0, 0.9 + 1.9 * (len(names) + 1))
     grid = figure.subplots(len(names) + 1, 1, sharex=True)

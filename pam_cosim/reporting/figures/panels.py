@@ -24,7 +24,7 @@ Panel = Callable[[Axes, RunComparison, Signal], None]
 def panels(
     runs: Sequence[RunComparison], signals: Sequence[Signal], draw: Panel, row_label: str = "{}"
 ) -> Figure:
-    """A grid of axes, filled by ``draw`` where the run measured the signal; it says so where it did not.
+    """A grid of axes, filled by ``draw`` where the run measured the signal; it has a note where it did not.
 
     Args:
         runs: the columns.

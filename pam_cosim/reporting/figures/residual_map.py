@@ -50,7 +50,7 @@ def residual_map(layers: Sequence[Layer], signals: Sequence[Signal]) -> Picture 
 def binned_residual(
     layer: Layer, signal: Signal, across: Signal, up: Signal
 ) -> tuple[Array, Array, Array]:
-    """Mean residual (cells, cells) in noise standard deviations, NaN where nobody was; edges (cells + 1,) [SI]."""
+    """Mean residual (cells, cells) in noise standard deviations, NaN where no sample lies; edges (cells + 1,) [SI]."""
     runs = [r for r in layer.comparison.runs if r.run.sample_count(signal.name)]
     noise = [signal.sigma_at(r.run.measurements[signal.name]) for r in runs]
     error = np.concatenate(

@@ -1,4 +1,4 @@
-"""One picture that tells the whole story: a run before and after, and the falling error."""
+"""One picture of a diagnosis: a run before and after, and the falling error."""
 
 from __future__ import annotations
 

@@ -61,7 +61,7 @@ def cut(
 
 
 def begin(study: StudyWithJobs, run: str, mode: str | None = None) -> None:
-    """Sets how a run begins; None: as the data set says, or its first samples. Start values that were set by hand are
+    """Sets how a run begins; None: as the data set states, or its first samples. Start values that were set by hand are
     given up."""
     study.make_room()
     chosen = _run(study.state.data, run)
@@ -70,7 +70,7 @@ def begin(study: StudyWithJobs, run: str, mode: str | None = None) -> None:
     starts = {n: s for n, s in study.state.chosen.get("starts", {}).items() if n != chosen.name}
     if mode is not None:
         starts[chosen.name] = text_of(mode, "begin")
-    text = f"begin {chosen.name}: {mode or 'as the data set says'}"
+    text = f"begin {chosen.name}: {mode or 'as the data set states'}"
     _choose(study, "begin", text, {"starts": starts}, _without_start(study, chosen.name))
 
 
@@ -113,11 +113,11 @@ def free(study: StudyWithJobs, names: Sequence[str]) -> None:
 
 
 def state_values(study: StudyWithJobs, values: Mapping[str, float | None]) -> None:
-    """States values of parameters that are not free [SI]; None: as the data set says."""
+    """States values of parameters that are not free [SI]; None: as the data set states."""
     stated = {**study.state.chosen.get("values", {}), **values}
     settable = study.opened.simulator.interface.settable
     text = ", ".join(
-        f"{name} as the data set says"
+        f"{name} as the data set states"
         if value is None
         else f"{name} = {format_quantity(value, settable[name.partition('@')[0]].unit, 5)}"
         for name, value in values.items()

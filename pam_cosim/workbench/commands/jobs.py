@@ -91,7 +91,7 @@ def check(study: StudyWithJobs) -> None:
     def finish(result: Check) -> None:
         study.windows.tell(event("checked", text=str(result)))
 
-    study.begin_job("check", "looking at what the data can tell", {}, finish)
+    study.begin_job("check", "checking what the data can determine", {}, finish)
 
 
 def _prepared(study: StudyWithJobs) -> dict[str, float]:
