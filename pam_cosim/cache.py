@@ -16,7 +16,7 @@ from pam_cosim.files import MOST_TEXT, make_folder, read_file, write_bytes
 CAN_BE_MADE_AGAIN = (
     "what the cache holds can be made again: remove it, or name another folder in PAM_COSIM_CACHE"
 )
-_SUMS = ".sums"  # ends the name of the file that says what others must hold
+_SUMS = ".sums"  # ends the name of the file with the checksums of the others
 
 
 def cache_dir() -> Path:
@@ -93,7 +93,7 @@ _seen: dict[
 def is_whole(sums: Path) -> bool:
     """Whether the files that a file of sums names hold what was written into them.
 
-    A disk may have been full, or somebody has tidied up. A process reads each file once, as long as nobody writes it.
+    A disk may have been full, or the folder was cleaned. A process reads each file once, as long as it is not written.
     """
     try:
         checked = _seen.get(sums, {})

@@ -94,7 +94,7 @@ class Store:
         """Keeps records, all of them or none.
 
         Raises:
-            InputError: the disk is full or gone; earlier records are kept.
+            InputError: the disk is full or missing; earlier records are kept.
         """
         with self._readable(), self._transaction():
             self._insert(records)

@@ -1,4 +1,4 @@
-model PulledMuscle "The isotonic bench, and something that pulls on the load and that nobody measures"
+model PulledMuscle "The isotonic bench with an unmeasured force on the load"
   extends PneumaticMuscle.Benches.Isotonic;
   import PneumaticMuscle.Types;
   input Types.Force F_ext(start=0) "Pull on the load, downwards";

@@ -6,11 +6,11 @@ model Ambient "The surroundings of a bench"
   parameter Types.Temperature T(min=250, max=330) = 293.15 "Ambient temperature"
     annotation (Dialog(group="Surroundings"));
   parameter Types.Dynamics dynamics = Types.Dynamics.FixedInitial
-    "How all that is around begins, where it says nothing else"
+    "Initialization of all components that do not state their own"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   input Real branch(unit="1") = 0 "Direction of a motion too slow to have a speed: 1 contraction, -1 extension, 0 none";
   annotation (defaultComponentName="ambient", defaultComponentPrefixes="inner",
-    missingInnerMessage="Nothing says what is around this model: add an Ambient, declared inner, to the top of it.",
+    missingInnerMessage="This model has no surroundings: add an Ambient, declared inner, at its top level.",
     Documentation(info="<html>
 <p>Pressure and temperature of the air around a bench; declared <code>inner</code> in the bench and <code>outer</code>
 in what needs it. 101 325 Pa and 293.15 K unless known better.</p>

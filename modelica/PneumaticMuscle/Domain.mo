@@ -1,14 +1,14 @@
 within PneumaticMuscle;
-record Domain "How results are told in this field: its balances, its phases, and what a missing term is drawn against"
+record Domain "Terms for reports in this field: its balances, its phases, and the variables of a missing term"
   extends Icons.Record;
   constant String balances[:] = {"force", "mass", "energy"} "Balances, in the order in which they are opened and drawn";
   constant String confused[:, 3] = {{"mass", "energy",
     "a law of the gas that keeps books of its energy explains the samples as well: unless a signal that shows "
-    + "the temperature is fitted, missing mass and missing heat cannot be told apart"}}
-    "Where the first balance fails and a law hides the second, a law that keeps books of the second is tried too; "
-    + "what to say where both explain the samples";
+    + "the temperature is fitted, missing mass and missing heat cannot be separated"}}
+    "Where the first balance fails and a law hides the second, a law that has the second is tried too; "
+    + "sentence where both explain the samples";
   constant String phases[:, 4] = {{"Pa", "filling", "holding", "venting"}}
-    "Unit of the output whose course divides a run, and what it is called to rise, to rest and to fall";
+    "Unit of the output that divides a run into phases, and names of its rise, rest and fall";
   constant String moving[:] = {"m"}
     "Units of outputs of which it matters whether they grow, rest or shrink, and how fast";
   constant String axes[:] = {"x", "T_excess", "p_gauge", "v"}
@@ -29,9 +29,9 @@ record Domain "How results are told in this field: its balances, its phases, and
     {"thermocouple_lag", "the reading of the temperature comes late"},
     {"saturation", "a reading ends at a limit where its signal goes on"},
     {"clock_offset", "the record of all readings is shifted in time against that of the inputs"}}
-    "Families that are faults of an instrument, and what each says of which";
+    "Families that are faults of an instrument, and the sentence on that instrument";
   annotation (Documentation(info="<html>
-<p>Data for who reports on a measurement; no model has a component of this class. A library without it is told in
+<p>Data for reports on a measurement; no model has a component of this class. A library without it is reported in
 words that fit any field.</p>
 </html>"));
 end Domain;

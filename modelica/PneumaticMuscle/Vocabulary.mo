@@ -1,5 +1,5 @@
 within PneumaticMuscle;
-record Vocabulary "How people of this field call what they record: words, usual units, and what nobody states"
+record Vocabulary "Words of the field for recorded quantities, their usual units, and neutral values"
   extends Icons.Record;
   constant String kinds[:, 4] = {
     {"time", "s", "", "=t =time =zeit =temps =sec =sek time zeit temps elapsed =micros =millis"},
@@ -37,7 +37,7 @@ record Vocabulary "How people of this field call what they record: words, usual 
     + "purge vidange"},
     {"ambient", "", "ambient room raum umgebung raumtemp raumluft ambiant atmos outside labor =amb =tamb =pamb =patm "
     + "=atm =umg =baro barometer barometr"}}
-    "What tells a quantity from others of its kind, the kind that its word means alone, and words";
+    "Roles that distinguish a quantity from others of its kind, the kind that its word means alone, and words";
   constant String units[:, 2] = {
     {"pressure", "1.2 MPa, 15 bar, 2e3 kPa, Pa"},
     {"ambient pressure", "1.2 bar, 16 psi, 120 kPa, 1.2e3 hPa, Pa"},
@@ -54,7 +54,7 @@ record Vocabulary "How people of this field call what they record: words, usual 
     {"pressure", "*druck pressure pression"},
     {"force", "*kraft force loadcell"},
     {"temperature", "*temperatur temperature"}}
-    "Words that leave no doubt of a kind, whatever unit stands beside them; * is any beginning";
+    "Words that determine a kind whatever the unit; * is any beginning";
   constant String directions[:, 2] = {
     {"down", "deflat =down =d =ab abwarts =fall falling decreas unload entlast entluft release =vent venting exhaust "
     + "extend extension =ruck ruckhub descen degonfl =back backward return =out"},
@@ -64,18 +64,18 @@ record Vocabulary "How people of this field call what they record: words, usual 
   constant String data_sheets[:, 5] = {
     {"C_A", "m2", "A", "1.80e-6 m2/A", "0.145 A"},
     {"C_A", "m2", "1", "1e-5 m2", ""}}
-    "A parameter, unit of what data sheets tell, unit of the input, what an input of one opens where the parameter is one, "
-    + "and the input at which it begins to open; without that, what the largest input opens";
+    "A parameter, unit of the size in data sheets, unit of the input, what an input of one opens where the parameter is "
+    + "one, and the input at which it begins to open; without that, what the largest input opens";
   constant String nominal[:, 3] = {{"m3/s", "m2", "9.97e-4 s/m"}}
-    "What data sheets tell instead of it: a flow at 20 degC and 1 bar, from 6 to 5 bar gauge, without friction";
+    "Size that data sheets state instead of it: a flow at 20 degC and 1 bar, from 6 to 5 bar gauge, without friction";
   constant String calibrated[:] = {"calibration", "effective area", "discharge coefficient",
     "pressure lost per mass flow", "time constant", "polytropic", "film coefficient"}
-    "Parameters that nobody measures, by words of their descriptions: a fit tells them";
+    "Parameters that are not measured, by words of their descriptions: a fit determines them";
   constant String uncertain[:] = {"coefficient of friction", "damping", "friction"}
-    "Parameters that may be free besides";
+    "Further parameters that may be free";
   constant String chosen[:] = {"filter"} "Parameters that are chosen and neither stated nor fitted";
   constant String neutral[:, 2] = {{"mu_fb", "0"}, {"mu_d", "0"}, {"fibres", "1"}}
-    "Values of a muscle that nobody names: fibres without friction that cover nothing. Friction is looked for then";
+    "Values of an unnamed muscle: fibres without friction that cover nothing. Friction is looked for then";
   annotation (Documentation(info="<html>
 <p>Data for who reads the files of a laboratory; no model has a component of this class. Words are written in small
 letters without accents. A library of another field brings a record of this name of its own.</p>

@@ -1,7 +1,7 @@
 """An extended Kalman filter on an FMU: the model between samples, its exact derivatives for the covariance.
 
-Continuous model and discrete samples (Jazwinski 1970, section 8.3; Simon 2006, section 13.2.3). Inputs that nobody
-measures are states without dynamics, driven by noise: random walks.
+Continuous model and discrete samples (Jazwinski 1970, section 8.3; Simon 2006, section 13.2.3). Unmeasured inputs are
+states without dynamics, driven by noise: random walks.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ class Belief:
 
     Attributes:
         noise: standard deviation of each measured signal.
-        unknown: inputs that nobody measures: standard deviation at the start, and of its change within a second.
+        unknown: unmeasured inputs: standard deviation at the start, and of its change within a second.
         drift: standard deviation of what the model does not know of a state, within a second.
         spread: standard deviation of a state at the start; else a hundredth of its nominal size.
         start: values at the start, by the name of any variable.

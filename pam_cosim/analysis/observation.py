@@ -45,7 +45,7 @@ class Observation(Printed, Exported):
         values: by name (N,): states, unknown inputs and outputs [``units``].
         deviations: by name (N,): standard deviations.
         units: by name.
-        outputs: names of what was asked for.
+        outputs: names of what was requested.
         measured: by name (N,), not a number where a sample is missing.
         innovations: by name (N,): measurement less prediction, by its standard deviation.
         sizes: (N, 3) normalised innovation squared of all signals together, how many they were, and the logarithm of

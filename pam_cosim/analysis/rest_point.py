@@ -31,7 +31,7 @@ def go_to_rest(model: ExchangeModel, conditions: Mapping[str, float], free: Sequ
         free: inputs that are found along with the states.
 
     Raises:
-        InputError: an unknown name; there is no rest, or none was found: says what goes on changing.
+        InputError: an unknown name; there is no rest, or none was found; the message names what still changes.
     """
     model.check(list(conditions))
     model.check(list(free), "input")

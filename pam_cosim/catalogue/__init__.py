@@ -1,10 +1,10 @@
 """The catalogue: class tree to effects. Which effects and benches there are, where they fit, composed models.
 
-What makes a Modelica package a library is said in ``place``; ``effects`` reads what its effects say of themselves;
+``place`` states what makes a Modelica package a library; ``effects`` reads the annotations of its effects;
 ``compose`` puts them where their types say that they belong;
 ``bench_parts`` finds what a bench can be composed of, and ``composed_bench`` composes it;
 ``input_maps`` gives a model maps of its inputs;
-``domain`` reads how results are told, and how recordings are named, in the field of the library. No effect and no
+``domain`` reads the sentences of results, and how recordings are named, in the field of the library. No effect and no
 library has a name here.
 """
 

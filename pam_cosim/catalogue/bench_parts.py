@@ -37,7 +37,7 @@ class BenchPart(Printed):
         role: ``pneumatics``, ``mechanics``, ``muscle`` or ``instrument``.
         name: by which it is chosen; ``qualified_name`` is that of its class.
         description: one line.
-        inputs: names of what is told from outside, which become inputs of the rig.
+        inputs: names of quantities from outside, which become inputs of the rig.
         signals: names of what it reads; of pneumatics and mechanics, what is usually read where they are used.
         parameters: names of its public parameters that have a value, a minimum and a maximum.
         component_name: name that its instance takes.

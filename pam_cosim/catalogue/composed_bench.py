@@ -140,7 +140,7 @@ class _Composer:
     def _measured(
         self, instruments: Sequence[BenchPart], measure: str | Sequence[str] | None
     ) -> list[tuple[str, int, BenchPart]]:
-        """Signal, number of the muscle and instrument, in the order asked for."""
+        """Signal, number of the muscle and instrument, in the order requested."""
         measurable = {
             _numbered(signal, n): (n, instrument)
             for instrument in instruments
@@ -171,7 +171,7 @@ class _Composer:
     def _wanted(
         self, requested: Sequence[str], measurable: Mapping[str, object]
     ) -> dict[str, None]:
-        """The signals that are asked for, each once.
+        """The signals that are requested, each once.
 
         Raises:
             InputError: there is no such signal, or it is imposed.

@@ -24,7 +24,7 @@ _Record = TypeVar("_Record", Domain, Vocabulary)
 def domain_of(tree: ClassTree, model: str) -> Domain:
     """The domain of the library that a model is made from: that of its class, of a base, or of a component.
 
-    A model of no library, or an FMU of somebody else's, is spoken of in the words of the first library.
+    A model of no library, or an FMU of another tool, is described in the words of the first library.
 
     Args:
         tree: the library and the user's files.

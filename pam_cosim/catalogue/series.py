@@ -61,7 +61,7 @@ def channel(tree: ClassTree, interface: str) -> Channel | None:
 
 
 def own_parameters(tree: ClassTree, law: str, of: Channel) -> list[ComponentInfo]:
-    """The parameters of a law besides those of the channel."""
+    """The parameters of a law in addition to those of the channel."""
     return [
         c
         for c in _public(tree, law)

@@ -118,7 +118,7 @@ def _remove_abandoned(place: str) -> None:
             import shutil
 
             shutil.rmtree(entry.path, ignore_errors=True)
-        except (OSError, OverflowError):  # it is somebody else's, or gone
+        except (OSError, OverflowError):  # it belongs to another process, or has ended
             continue
 
 

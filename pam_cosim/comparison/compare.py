@@ -33,7 +33,7 @@ class Comparison(Printed, Tabular):
         scores: per role ("fit", "holdout", "all") and signal.
         where: rules that hold most of the error, over all runs.
         units: SI units of the parameters and inputs of the runs, by name.
-        convention: what fits much better than what the data are read with, in words; "": nothing, or nobody looked.
+        convention: the convention that fits much better than that of the data, in words; "": none, or not checked.
     """
 
     json_keys = "model parameters signals=scores.all roles=_roles runs=_runs where doubts"
@@ -85,7 +85,7 @@ class Comparison(Printed, Tabular):
             signal: default: the first one that is fitted.
 
         Raises:
-            InputError: a parameter that a run does not have, or a signal that nobody measured.
+            InputError: a parameter that a run does not have, or an unmeasured signal.
         """
         measured = self.scores["all"]
         chosen = signal or next((n for n in measured if self.data.signals[n].fitted), "")

@@ -53,7 +53,7 @@ _ZEROS = {
 _SIZES = (
     0.125,
     8.0,
-)  # by which the motion of a model that nobody calibrated may be too large or too small
+)  # by which the motion of an uncalibrated model may be too large or too small
 _PRICE_OF_SIZE = 0.05  # share of the variance, that the largest of these sizes costs
 _MOST_UNEXPLAINED = (
     2.0  # share of a signal's variance, beyond which it is all the same how far a model is off
@@ -97,7 +97,7 @@ def likely_convention(
         units: SI units of the inputs, by name.
         simulate: simulates runs with values that are known.
         base: the runs as they are read, simulated already.
-        fitted: likewise with free parameters fitted anew, where those of ``simulate`` are fitted to the data as they
+        fitted: likewise with free parameters fitted again, where those of ``simulate`` are fitted to the data as they
             are read; a convention that is mistaken has moved these.
 
     Raises:
@@ -448,7 +448,7 @@ def mistake_in_reading(
     if _rms(measured + modelled) < enough:
         return "It would fit with its sign turned"
     # A measurement much larger than the model comes near it when it is divided, one much smaller when the model is
-    # multiplied: of the two errors that are left the smaller one counts, so that both are told alike.
+    # multiplied: of the two errors that are left the smaller one counts, so that both are described alike.
     product = float(measured @ modelled)
     if product <= 0.0:
         return ""

@@ -6,8 +6,8 @@ The way of a model through the files: ``source``, ``lexer``, ``parser`` (with ``
 ``arithmetic``, ``builtins``, ``functions``, ``assertions``) turns expressions into values, ``symbols`` into CasADi
 symbols; ``flattening`` and ``connections`` give residual equations; ``index_reduction`` and ``blocks`` (with
 ``matching``) solve them; ``delays`` finds the inputs that ``delay`` asks for; ``initialization`` solves at the start,
-and ``start`` keeps what it says of parameters; ``compile`` puts the ``Ode`` together.
-``class_tree`` and ``structure`` tell what classes and models consist of.
+and ``start`` keeps the parameters that it determines; ``compile`` puts the ``Ode`` together.
+``class_tree`` and ``structure`` state what classes and models consist of.
 
 Modelica 3.6 without events: ``when``, discrete variables, ``stream`` and ``expandable`` connectors, external
 functions, operator records, matrix brackets, nonlinear algebraic loops and the ``delay`` of anything but inputs

@@ -98,7 +98,7 @@ def solve(
 ) -> dict[str, ca.SX]:
     """Every unknown as an expression of states, inputs, parameters and time.
 
-    ``wanted``: names of those that are asked for; default all. Only what they depend on is solved for besides.
+    ``wanted``: names of those that are requested; default all. Only what they depend on is solved for in addition.
     ``loops``: gets the linear loops that are solved.
     ``nonlinear``: solves nonlinear blocks; None: these are errors.
 

@@ -77,7 +77,7 @@ DEFECTS = (
 )
 
 
-_current = threading.local()  # the budget of the compile that goes on
+_current = threading.local()  # the budget of the running compile
 
 
 class Budget:
@@ -196,7 +196,7 @@ def check_unknowns(count: int) -> None:
 
 
 def work(steps: int) -> None:
-    """Counts steps of the compile that goes on, if any, as ``Budget.work``."""
+    """Counts steps of the running compile, if any, as ``Budget.work``."""
     if budget := getattr(_current, "budget", None):
         budget.work(steps)
 

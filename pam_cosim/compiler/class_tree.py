@@ -48,7 +48,7 @@ class ClassTree:
         self._library = library
         self._lookup = Lookup(library)
         self._definitions = {node.qualified_name: node for node in library.walk()}
-        self.classes: LazyDict[ClassInfo] = LazyDict()  # few ask for all
+        self.classes: LazyDict[ClassInfo] = LazyDict()  # all are seldom needed
         for name, node in self._definitions.items():
             self.classes.later(name, partial(self._info, node))
 

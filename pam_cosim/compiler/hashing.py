@@ -32,7 +32,7 @@ def flat_hash(
         model: as there.
         files: as there.
         root: as there.
-        library: ``library_hash`` of the same library, where somebody asked for it already.
+        library: ``library_hash`` of the same library, where it was computed before.
     """
     digest = hashlib.sha256()
     files = list(files)

@@ -156,7 +156,7 @@ def select_states(system: EquationSystem, preference: Callable[[str], float]) ->
 
     Args:
         system: after index reduction.
-        preference: how much a variable wants to be a state; 0 is indifferent.
+        preference: how strongly a variable is preferred as a state; 0 is neutral.
     """
     candidates = list(system.derivative_of)
     constraints = sorted(system.differentiated)

@@ -40,7 +40,7 @@ class InitialValues:
         states: one expression for each state, in terms of parameters and inputs.
         parameters: by name; they may depend on time, which is then that of the start.
         resting: names of the states that begin at rest; their expressions are where the rest is sought from.
-        following: of states whose initial values depend on those at rest, by name, in terms of these besides.
+        following: of states whose initial values depend on those at rest, by name, in terms of these too.
     """
 
     states: list[ca.SX]

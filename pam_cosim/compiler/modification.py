@@ -73,7 +73,7 @@ def _refuse_change_of_final(outer: Mod, inner: Mod) -> None:
 def _merged_entries(outer: Mod, inner: Mod) -> dict[str, Mod]:
     entries = dict(inner.entries)
     if outer.value is not None:
-        # a new value for a whole record replaces what was said about its members
+        # a new value for a whole record replaces the modifications of its members
         entries = {name: entry for name, entry in entries.items() if name in ATTRIBUTES}
     for name, entry in outer.entries.items():
         entries[name] = merge(entry, entries.get(name))

@@ -1,7 +1,7 @@
 """States that begin at rest: initial equations ``der(x) = 0``, where the model settles when a run begins.
 
 Rates are seldom linear in the states, and who solves for the states at rest needs numbers: the inputs at the start.
-So the compiler says which states these are, and from where they are sought; the runtime finds them.
+So the compiler lists these states and their initial guesses; the runtime finds them.
 """
 
 from __future__ import annotations

@@ -53,7 +53,7 @@ def with_sensitivities(ode: Ode, parameters: Sequence[str]) -> Ode:
 def smooth_parameters(ode: Ode) -> tuple[str, ...]:
     """Names of the parameters that ``with_sensitivities`` takes.
 
-    A record that is late is no part of the equations: no derivative in them tells of it.
+    A delay of the record is no part of the equations, which have no derivative with respect to it.
     """
     lengths = ca.vertcat(ca.SX(0, 1), *[ca.SX(delay.time) for delay in ode.delays])
     bound = set(ca.jacobian_sparsity(lengths, ode.p).get_col()) if ode.delays else set()

@@ -96,7 +96,7 @@ class Network:
         steppers: of the FMUs, in initialization mode.
         inputs: of the system over time, by ``component.variable``.
         method: whether components of one step see what those before them have come to.
-        extrapolation: what is assumed of an output over a step: that it is held, or goes on along a line.
+        extrapolation: what is assumed of an output over a step: that it is held, or is extrapolated linearly.
         loops: what is done about algebraic loops.
         order: of the components in a step.
         observed: further variables to read at every time.
@@ -225,7 +225,7 @@ class Network:
             error = self._residual(guess)
             sizes = np.max([self._loop_sizes, np.abs(guess), np.abs(guess + error)], axis=0)
             miss = float(np.max(np.abs(error) / np.maximum(sizes, 1.0)))
-            # of a variable that has only been zero nothing but rounding is left, which has no size to be compared with
+            # of a variable that has only been zero nothing but rounding remains, which has no size to be compared with
             is_rounding = best <= miss <= _LOOP_TOLERANCE
             if is_rounding or np.all(np.abs(error) <= _LOOP_TOLERANCE * sizes):
                 self._loop_sizes = np.maximum(self._loop_sizes, np.abs(guess))
@@ -287,7 +287,7 @@ class Network:
             self._settle_all()
         for signal in self.signals:
             if self.now.values[signal] != before[signal]:
-                self.now.slopes[signal] = 0.0  # how fast it went on before says nothing now
+                self.now.slopes[signal] = 0.0  # the previous slope does not hold any more
         return jumps or changes
 
     def _sample(self, time: float) -> bool:

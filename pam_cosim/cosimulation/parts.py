@@ -31,7 +31,7 @@ class CoupledFmu:
         path: of the FMU.
         interface: its variables.
         feedthrough: by output, the inputs it depends on at once.
-        declared: whether its model description says so; where it does not, every output depends on every input.
+        declared: whether its model description states it; else every output depends on every input.
         foreign: it runs in a process of its own.
         seconds: distance of its samples [s], where it acts as a controller does: at each sample it makes one step with
             the inputs of that time, its outputs are held until the next one, and it is never taken back. None: it
@@ -143,7 +143,7 @@ def port(text: str, components: Mapping[str, Component]) -> Port:
     """``component.variable``.
 
     Raises:
-        InputError: there is no such component; says which name is nearest.
+        InputError: there is no such component; names the nearest one.
     """
     name, dot, variable = text.partition(".")
     if not dot or not variable:
@@ -212,7 +212,7 @@ def output_of(name: str, interface: Interface) -> Variable:
     """The output of that name.
 
     Raises:
-        InputError: there is none; says which name is nearest.
+        InputError: there is none; names the nearest one.
     """
     if name not in interface.outputs:
         raise InputError(interface.unknown(name, "output", interface.outputs))

@@ -158,7 +158,7 @@ class Rig(Printed):
         """The present value of any variable [SI].
 
         Raises:
-            InputError: there is no such variable; says which name is nearest.
+            InputError: there is no such variable; names the nearest one.
         """
         self._variable(name)
         return self._run().read([name])[0]
@@ -270,7 +270,7 @@ def input_of(name: str, interface: Interface) -> Variable:
     """The input of that name.
 
     Raises:
-        InputError: there is none; says which name is nearest, or that it is something else.
+        InputError: there is none; names the nearest one, or that it is something else.
     """
     if name in interface.inputs:
         return interface.inputs[name]

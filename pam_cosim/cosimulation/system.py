@@ -49,7 +49,7 @@ METHODS = ("jacobi", "gauss-seidel")
 EXTRAPOLATIONS = ("constant", "linear")
 LOOPS = ("refuse", "delay", "iterate")
 _MOST_PROCESSES = 32  # of FMUs of others
-_STEPS = 1000  # of a run for which nobody has said how long a step is
+_STEPS = 1000  # of a run without a stated step
 MOST_STEPS = 10_000_000
 
 
@@ -63,7 +63,7 @@ class System(Printed):
         values: parameters, start values and inputs that are held, by component [the model's own units].
         timeout: as in ``simulate``.
         title: for people.
-        stop_time: of a run for which nobody says it [s]; None: the longest of the FMUs' own.
+        stop_time: of a run without a stated one [s]; None: the longest of the FMUs' own.
         scratch: keeps the FMUs' files, where they were unpacked for this system.
     """
 
@@ -206,7 +206,7 @@ class System(Printed):
             InputError: names or numbers that cannot be used, an algebraic loop that is not to be solved, an FMU that
                 cannot go back where steps are chosen by their error; a controller that raised an exception
                 (``ControllerError``).
-            SimulationFailure: (``CouplingFailure``) a component failed; the error says which and when.
+            SimulationFailure: (``CouplingFailure``) a component failed; the error names it and the time.
                 Both errors then have what was reached as ``run``, a ``CoupledRun``.
         """
         _choice("method", method, METHODS)

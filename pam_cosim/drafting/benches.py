@@ -43,8 +43,8 @@ class BenchChoice:
         alternatives: names of benches that fit as well.
         freer: a bench that reads the lengths that this one imposes; "": there is none, or it imposes none that move.
         cost: the lower, the better it fits.
-        roundabout: how far columns are from what is asked for, as a length is from a contraction.
-        unread: how many of its outputs nobody read.
+        roundabout: how far columns are from what is requested, as a length is from a contraction.
+        unread: how many of its outputs are not read.
         measured: something is measured; ``driven``: and what drives the runs was recorded.
     """
 
@@ -78,8 +78,8 @@ class Bench:
 
     Attributes:
         name: as ``experiment.toml`` has it.
-        why: empty where the user says so.
-        muscle: of which the files or the user tell, "": nobody does; ``length``: its length as a text, or "".
+        why: empty where the user states it.
+        muscle: named by the files or the user, "": not stated; ``length``: its length as a text, or "".
         composed: it was put together from parts.
     """
 
@@ -115,7 +115,7 @@ def take_bench(
     Args:
         place: the folder that becomes the data set.
         name: of a class that is put together.
-        requests: what the user says.
+        requests: what the user states.
         interface: of the model that the user names, as ``stated_interface`` has it; a file is copied already.
         evidence: what was recorded.
         tree: the library and the user's files.
@@ -221,7 +221,7 @@ def _candidates(
     chosen = [bench for bench in ready if bench.parts or muscle is None]
     if not evidence.points:
         return chosen
-    # A row says what acts on the muscle: a table tells no mass, spring or lever.
+    # A row has what acts on the muscle: a table contains no mass, spring or lever.
     return [bench for bench in chosen if _mechanical(bench.inputs, evidence.headings)]
 
 
@@ -268,7 +268,7 @@ def _choose(
     """The bench that uses most of what was recorded and lacks least.
 
     Raises:
-        InputError: no bench has the names that the user says, or none can be fed.
+        InputError: no bench has the names that the user states, or none can be fed.
     """
     choices = [_fed(bench, evidence, is_stated) for bench in _having(candidates, evidence)]
     order = sorted(choices, key=lambda c: (c.cost, c.ports.rank, c.roundabout, c.unread))

@@ -57,13 +57,13 @@ class RecordedColumn:
     Attributes:
         unit: as the registry of units has it; stated in the file, or guessed.
         stated: the file states it so that it can be read.
-        unknown: the unit that the file states, where nobody knows it; else "".
-        meaning: None: nobody knows.
+        unknown: the unit that the file states, where it is unknown; else "".
+        meaning: None: unknown.
         why: what ``meaning`` and ``unit`` were guessed from, in sentences without a subject.
         known_share: share of its words that are known.
         values: numbers in its unit by the number of the recording.
         points: the recordings are points at rest, whose rows have no pace.
-        words: of a direction that is told in words: what its numbers are places of.
+        words: of a direction that is written in words: the words that its numbers are places of.
         senses: of a direction: 1 up, -1 down, 0 neither, by its numbers.
         logged_on_change: its cells are empty in the files while it keeps its value.
         formula: of a column of the files that this one is made from; "": it is one itself.
@@ -163,12 +163,12 @@ def find_columns(
 
     Args:
         sources: recordings.
-        stated: names of columns that are what the user says, whatever their words are.
+        stated: names of columns that the user assigns, whatever their words are.
         formulas: texts that the user states; columns in them may have any unit.
         headings: by which they are read.
 
     Raises:
-        InputError: a unit that nobody knows, or that is of another quantity than the name says; too many columns.
+        InputError: an unknown unit, or one that contradicts the name; too many columns.
     """
     names = dict.fromkeys(name for source in sources for name in source.table.columns)
     if len(names) > _MOST:

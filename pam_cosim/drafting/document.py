@@ -28,7 +28,7 @@ class Draft:
         sigmas: by signals that count; ``shown`` are compared only.
         follows: parameters that no file and no user states, with their value and why.
         run_values: by recording, values of parameters and inputs that hold in this recording alone.
-        open: which parameters a fit may tell.
+        open: which parameters a fit may determine.
         interpolation: of the inputs of all recordings.
         points: of tables of points at rest.
         valve: what the user states of data sheets of valves; "": nothing.

@@ -357,7 +357,7 @@ def _why_reversed(
 
     A contraction that falls while the pressure rises does, as does a pull below zero. One that is imposed, and that no
     pressure moves, counts the other way where the pull, at equal pressure, rises with it: a muscle that is shorter
-    pulls less, but against a spring more. A length says itself which way it counts.
+    pulls less, but against a spring more. A length has a sign by itself.
     """
     if meaning is None or column.of("length"):
         return ""
@@ -514,7 +514,7 @@ def _with_zero(
     """The entry with a zero from where recordings begin, if it is away from zero there; and the zero by recording.
 
     Where each rests long enough, it is the mean of an interval. Else it is one number for all: a zero belongs to the
-    instrument, and recordings that rest tell that of those which do not.
+    instrument, so that recordings at rest determine it for the others.
     """
     meaning = meanings[name]
     having = {i: run for i, run in enumerate(runs) if name in run.signals}

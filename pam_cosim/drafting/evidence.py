@@ -101,7 +101,7 @@ def gather(
 
     Args:
         files: recordings.
-        requests: what the user says.
+        requests: what the user states.
         headings: by which headings are read.
         names: of inputs and outputs of the model that the user states: a column that is called so is that.
 

@@ -97,8 +97,8 @@ class Heading:
         meaning: None where no word is known.
         unit: as pint reads it; "" where none is written.
         written: the unit as it stands in the file's place for units is ``unit``.
-        unknown: the unit that is written, where nobody knows how large it is, or with a factor; else "".
-        absolute: it says that the pressure is absolute.
+        unknown: the unit that is written, where its size is unknown, or with a factor; else "".
+        absolute: it states an absolute pressure.
         known_share: share of its words that are known; a larger share names the quantity better.
     """
 
@@ -131,7 +131,7 @@ def is_count(unit: str) -> bool:
 def known_unit(unit: str) -> str:
     """The unit as the registry of units has it, without what a pressure is counted from; "" where it is none.
 
-    Where only capitals tell units apart, the usual one is meant: nobody measures muscles in Mbar or mPa.
+    Where only capitals distinguish units, the usual one is meant: muscles are not measured in Mbar or mPa.
     """
     text = pressure_reference(unit.strip())[0]
     usual = _SPELLINGS.get(folded(text), "")
@@ -183,7 +183,7 @@ class Headings:
             stated, name = self._unit_in_name(name)
             if is_count(stated):
                 stated, written_unit = "", stated
-        # Of a path, ``Model Root/ADC/p``, the last part says what it is, if it says anything.
+        # Of a path, ``Model Root/ADC/p``, the last part names the quantity, if it has a known word.
         parts = [[folded(w) for w in split_words(part)] for part in re.split(r"[/\\|.]", name)]
         parts = [part for part in parts if part not in (["in"], ["out"])] or parts  # of a block
         if self._kinds_in(parts[-1]):

@@ -77,7 +77,7 @@ def draft(
     Args:
         folder: missing or empty.
         files: one recording each; they are copied.
-        requests: what the user says.
+        requests: what the user states.
         tree: the library and the user's files.
         describe: gives the interface of a model.
         simulate: simulates the runs of a data set.
@@ -400,7 +400,7 @@ def _read(place: Path, origin: Mapping[str, Path], describe: Callable[[str], Int
             raise type(error)(error.message, origin[file.name], error.line, error.column) from None
         raise type(error)(
             error.message
-        ) from None  # Of what the user says, or of a draft that is gone.
+        ) from None  # Of a statement of the user, or of a draft that was removed.
 
 
 def _put(place: Path, folder: Path) -> None:

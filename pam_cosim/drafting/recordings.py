@@ -58,7 +58,7 @@ class Source:
         words: of the columns whose cells are words for directions: the words by heading. Their numbers in the table are
             places in that list.
         remarks: lines above the rows, and numbers of a file that are no columns, as texts.
-        is_merged: its rows are not those of the file, which has several clocks: it is written anew.
+        is_merged: its rows are not those of the file, which has several clocks: it is written again.
     """
 
     file: Path
@@ -229,7 +229,7 @@ def _with_hint(error: InputError) -> InputError:
     return InputError(f"{error.message}{here}", error.file, error.line, error.column)
 
 
-# ---- files in which the time begins anew: the experiments that a logger appended to one another ----------------------
+# ---- files in which the time restarts: several experiments that a logger wrote into one file -------------------------
 
 
 def in_parts(sources: Sequence[Source], name: str, unit: str) -> list[Source]:

@@ -35,7 +35,7 @@ _SHORTEST_STEP = 1e-5  # [s] of such numbers, if they were seconds
 _SHORTEST_RECORDING = 0.1  # [s] of shares of a day, if they were seconds
 
 
-class SeveralClocks(Exception):  # noqa: N818 -- it asks for other rows
+class SeveralClocks(Exception):  # noqa: N818 -- it requests other rows
     """Columns of time run differently: the one that was taken, and the names and units of all of them."""
 
     def __init__(self, time: RecordedColumn, units: Mapping[str, str]) -> None:
@@ -49,7 +49,7 @@ def with_time(
     """The columns with one of time at most, and that.
 
     Raises:
-        InputError: the column that is asked for is in no file.
+        InputError: the column that is requested is in no file.
         SeveralClocks: a second clock runs differently.
     """
     if requested is None:
@@ -93,7 +93,7 @@ def _likely_time(
     running = next((c for c in unknown if not c.unit or _is_time(c.unit)), None)
     if running is not None:
         return running, ("its numbers rise from row to row",)
-    return (called[0] if called else None), ()  # Its fault is told when it is read.
+    return (called[0] if called else None), ()  # Its fault is reported when it is read.
 
 
 def _is_time(unit: str) -> bool:

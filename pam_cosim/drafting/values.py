@@ -20,7 +20,7 @@ from pam_cosim.wording import has_parts, listed
 
 _NOMINAL_TOLERANCE = 0.05  # of the nominal length: a longest length as near to it is that at rest
 _DATA_SHEET_TOLERANCE = 0.3  # of its value: bounds of a parameter of the fibres in a fit
-# What a rule, scales, a thermometer or a gauge tells, or the maker's drawing: it is stated, not fitted.
+# What a rule, scales, a thermometer, a gauge or the maker's drawing shows is stated, not fitted.
 _MEASURED = ("m", "m2", "m3", "kg", "kg.m2", "K", "Pa", "N")
 _GEOMETRY = ("m", "m2", "m3", "kg", "kg.m2", "1", "")
 # What lies in the rubber of a muscle, where no rule reaches: of the fibres, and of the wall.
@@ -95,7 +95,7 @@ def following(stated: Mapping[str, str], interface: Interface) -> dict[str, str]
     """Zero for each measure of a sleeve that follows from those that are stated, and would contradict them.
 
     Raises:
-        InputError: a default contradicts what is stated, and nothing says which one; says what to state.
+        InputError: a default contradicts what is stated, and it is unknown which one; the message states what to type.
     """
     owners = dict.fromkeys(name.rpartition(".")[0] for name in stated)
     return {name: "0" for owner in owners for name in _following(f"{owner}.", stated, interface)}
@@ -136,13 +136,13 @@ def neutral(evidence: Evidence, bench: Bench) -> dict[str, str]:
     }
 
 
-# ---- what the recordings tell of themselves --------------------------------------------------------------------------
+# ---- values that the recordings state --------------------------------------------------------------------------------
 
 
 def values_told(evidence: Evidence, bench: Bench, mapped: Mapped) -> list[dict[str, StatedValue]]:
     """Values that each recording states, unless the user states them: the last of the following sources counts.
 
-    Where an input begins, loads in its name, what its columns hold besides, remarks above its rows, the user.
+    Where an input begins, loads in its name, what its columns hold in addition, remarks above its rows, the user.
     """
     interface, headings = bench.interface, evidence.headings
     unused = [
@@ -275,7 +275,7 @@ def _loads(evidence: Evidence, interface: Interface) -> list[dict[str, StatedVal
     ]
 
 
-# ---- which parameters somebody can state, and which only a fit determines --------------------------------------------
+# ---- which parameters can be stated, and which only a fit determines -------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -293,7 +293,7 @@ def open_parameters(interface: Interface, headings: Headings, points: bool) -> O
     Args:
         interface: of the bench.
         headings: with the words for what is calibrated.
-        points: points at rest were recorded, which tell what lies in the rubber of a muscle, nothing that takes time.
+        points: points at rest were recorded, which determine the rubber of a muscle but nothing that takes time.
     """
     words = headings.vocabulary
     hidden = _hidden(interface)

@@ -1,6 +1,6 @@
 """Linear least squares within bounds, exactly.
 
-Primal-dual active sets: which bounds hold is guessed, the others are solved for, and the solution says which bounds to
+Primal-dual active sets: which bounds hold is guessed, the others are solved for, and the solution shows which bounds to
 hold next, those that it is beyond, and which to release, those that the slope leads away from. Hintermüller, Ito and
 Kunisch (2003), SIAM J. Optim. 13, 865-888. A few rounds come to the minimum as a rule; where they go in a circle,
 ``scipy.optimize.lsq_linear`` goes there one bound at a time.

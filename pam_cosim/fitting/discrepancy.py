@@ -59,7 +59,7 @@ def discrepancies(
         runs: of the fitted model.
         signals: by name.
         freedom: number of parameters that the fitted runs determine.
-        predicted: name of the run that is predicted: it says nothing of its own error, unless it is the only one.
+        predicted: name of the run that is predicted: it is not used for its own error, unless it is the only one.
     """
     residuals = {name: _residuals(runs, signal, predicted) for name, signal in signals.items()}
     pieces = {name: sum(residual.pieces for residual in parts) for name, parts in residuals.items()}

@@ -226,7 +226,7 @@ def fit(
         starts: further points to start from, by name [SI].
         options: how the fit goes.
         progress: called after each simulation with the ``FitProgress``: ``print`` will do.
-        resume: a file that keeps every simulation, so that the same fit goes on where it was interrupted; made where
+        resume: a file that keeps every simulation, so that the same fit continues where it was interrupted; made where
             it is not there.
 
     Raises:

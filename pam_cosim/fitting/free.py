@@ -81,7 +81,7 @@ class Free:
 
     def to_value(self, z: float) -> float:
         """Search coordinate to value, never beyond the bounds."""
-        if self.logarithmic:  # no power is asked for that no number holds
+        if self.logarithmic:  # no power overflows
             return min(max(exp(min(max(z, log(self.low)), log(self.high))), self.low), self.high)
         return min(max(z * self._scale, self.low), self.high)
 

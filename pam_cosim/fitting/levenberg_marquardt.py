@@ -22,10 +22,10 @@ _FIRST_TRUST_RADIUS = (
     1.0  # of a step in any coordinate: a factor of e, or the typical size of the parameter
 )
 _ACCEPTED = 1e-4  # gain ratio that a step must have: what it takes away over what was predicted
-_TRUSTED = 0.25  # gain ratio from which on a small reduction means that little is left to gain
+_TRUSTED = 0.25  # gain ratio from which on a small reduction means that little can still be gained
 _RELIABLE = 0.5  # gain ratio from which on the trust radius grows
 _STEP = 1e-7  # relative step that counts as none
-_TINY = 1e-300  # lsq_linear wants the bounds apart
+_TINY = 1e-300  # lsq_linear requires different bounds
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ def levenberg_marquardt(
 
     Args:
         squares: sum of squared residuals at a place; infinite where the model breaks down, where no step leads then.
-        triangle: (m, n + 1) the triangular factor of the slopes and the residuals; asked for where ``squares`` was
+        triangle: (m, n + 1) the triangular factor of the slopes and the residuals; requested where ``squares`` was
             asked last and is finite.
         start: (n,) within the bounds, where the residuals are finite.
         bounds: lower and upper, (n,) each.

@@ -191,7 +191,7 @@ class Objective:
     def squares(self, z: Array) -> float:
         """The sum of squared residuals, simulated with slopes; infinite where a simulation breaks down.
 
-        A point that is asked for again has the same: start values that were looked for from elsewhere meanwhile could
+        A point that is requested again has the same: start values that were looked for from elsewhere meanwhile could
         lead to less there, by chance.
         """
         point = z.tobytes()
@@ -203,7 +203,7 @@ class Objective:
     def triangle(self, z: Array) -> Array:
         """The residuals linearised about ``z`` as few rows: the triangular factor of the slopes and the residuals.
 
-        (m, parameters + 1), m at most parameters + 1. The sum of squares is finite there. A descent goes on from
+        (m, parameters + 1), m at most parameters + 1. The sum of squares is finite there. A descent continues from
         ``z``: so do the start values.
         """
         residuals = self.residuals(z)

@@ -30,7 +30,7 @@ class FitOptions:
         second_look: whether start values of runs are estimated again where a descent ends above the noise.
         rules: whether to say where the error sits.
         holdout_uncertainty: whether to say what held-out runs gain as far as the parameters are uncertain.
-        simulations: runs that are simulated, after which no descent goes on.
+        simulations: runs that are simulated, after which no descent continues.
         deadline: of ``time.monotonic`` [s], likewise.
     """
 

@@ -26,7 +26,7 @@ _OTHER_FILES = (
 )  # what other commands write
 _REALS = tuple(
     f"{{{_SSV}}}{kind}" for kind in ("Real", "Float64", "Float32")
-)  # SSP 1.0, and 2.0 besides
+)  # SSP 1.0, and 2.0 as well
 
 
 def check_parameter_file(path: Path) -> None:

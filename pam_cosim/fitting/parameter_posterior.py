@@ -92,7 +92,7 @@ def parameter_posterior(
     scale = np.ones(len(residuals))
     scale[: objective.size] = 1.0 / spread_of(fit.residuals["fit"])
     slopes = objective.jacobian(z, residuals) * scale[:, None]
-    # what no sample depends on is left to the bounds, far within which this is flat
+    # parameters without influence are limited by the bounds, far within which this is flat
     precision = slopes.T @ slopes + np.diag(1.0 / (_PRIOR_WIDTH * (high - low)) ** 2)
     mean = z - np.linalg.solve(precision, slopes.T @ (residuals * scale))
     wider, rng = precision / _WIDTH**2, np.random.default_rng(seed)

@@ -34,8 +34,8 @@ class Band:
         low, high: (n,) between which the signal lies with 95 % [unit], as far as the parameters say.
         reading_low, reading_high: (n,) between which a reading of it lies with 95 % [unit]: what the model is off by
             and the noise are added to the parameters.
-        measured: (n,) readings [unit], NaN where there is none; empty: nobody ran it.
-        discrepancy: what the model is off by; None: not asked for, or no run to tell it from.
+        measured: (n,) readings [unit], NaN where there is none; empty: not recorded.
+        discrepancy: the model error; None: not requested, or no run to estimate it from.
         mean: over time, with the fitted parameters [unit].
         mean_low, mean_high: between which the mean of the readings lies with 95 % [unit].
     """

@@ -268,7 +268,7 @@ def correlations(jacobian: Array) -> Array:
         )
         deviations = (
             vt / np.maximum(s, CRITERIA.fit.seen * s[0])[:, None]
-        )  # a direction nobody sees is very uncertain
+        )  # an unobserved direction is very uncertain
         covariance = deviations.T @ deviations
         size = np.sqrt(np.diag(covariance))
         matrix[np.ix_(alive, alive)] = np.clip(covariance / np.outer(size, size), -1, 1)

@@ -50,7 +50,7 @@ def solve(problem: FitProblem) -> Minimum:
         if best is None or reached.cost < best.cost:
             best = reached
         if objective.is_over() or (objective.is_at_noise(best.cost) and not options.starts):
-            break  # nothing is left that another start could find, or no time to look for it
+            break  # no other initial guess can improve it, or no time remains
     return best or _minimise(problem, _rescue(objective))
 
 

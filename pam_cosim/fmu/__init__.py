@@ -1,6 +1,6 @@
 """Ode -> .fmu, and back: the interface of any FMU.
 
-What builds an FMU is loaded when it is asked for: a run of an FMU needs no compiler.
+What builds an FMU is loaded when it is requested: a run of an FMU needs no compiler.
 """
 
 from importlib import import_module

@@ -158,8 +158,8 @@ def build_source(
         text: Modelica source.
         files: further ``.mo`` files that it may use.
         sensitivities: as in ``build_model``, where the solution is smooth.
-        library: ``compiler.library_hash()``, where somebody asked for it already.
-        lean: only what fits ask for, unpacked: a folder; see ``cached_lean_model``.
+        library: ``compiler.library_hash()``, where it was computed before.
+        lean: only what fits need, unpacked: a folder; see ``cached_lean_model``.
         brief: for a few runs, without a compiler: a folder too; see ``cached_taped_model``.
 
     Raises:

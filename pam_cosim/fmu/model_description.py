@@ -54,7 +54,7 @@ def model_description(
     root = Xml.Element("fmiModelDescription", head)
     shared = {"modelIdentifier": parts.model_identifier(model)} | dict.fromkeys(_FLAGS[fmi], "true")
     shared |= dict.fromkeys(_DERIVATIVES[fmi], str(not lean).lower())
-    # nobody tells an FMU for model exchange what its inputs were between two evaluations
+    # an FMU for model exchange does not get its inputs between two evaluations
     exchange = {} if ode.delays else {"ModelExchange": dict[str, str]()}
     if exchange and ode.statements and not is_second:
         exchange["ModelExchange"] = {"needsCompletedIntegratorStep": "true"}

@@ -19,7 +19,7 @@ from pam_cosim.resources import shipped_models
 
 _KIND, _SUFFIX = "odes", ".ode"
 _INDEX = "index.json"
-_LETTERS = 16  # of a key, which tell the shipped models apart
+_LETTERS = 16  # of a key, which distinguish the shipped models
 
 
 def cached_ode(key: str, make: Callable[[], Ode]) -> Ode:

@@ -44,7 +44,7 @@ DAMAGED = (
     lzma.LZMAError,
 )  # what reading an archive raises that is none, or not whole
 TABLES = "tape.json"  # in the folder of a model as data
-TOOL = "pam-cosim"  # in what an FMU says of the tool that made it
+TOOL = "pam-cosim"  # in the attribute of the tool that made an FMU
 _DESCRIPTION = "modelDescription.xml"
 _LONGEST_NAME, _LONGEST_PART = (
     1000,
@@ -62,7 +62,7 @@ _KINDS: dict[str, Kind] = {
     "String": "String",
 }
 _MOST_ELEMENTS = 10_000  # of an array
-_MOST_ROWS = 100_000  # of a run whose interval nobody declares, up to which it is the usual one
+_MOST_ROWS = 100_000  # of a run without a declared interval, up to which it is the usual one
 _KEPT = 128  # descriptions: a diagnosis comes back to those of the catalogue's effects
 
 
@@ -206,7 +206,7 @@ def _check_identifiers(description: ModelDescription, path: Path) -> None:
     """Looks at what becomes a file's name and what settings are named by.
 
     Raises:
-        InputError: the identifier of a model is none of C, as FMI asks for: it might leave the folder; the name of a
+        InputError: the identifier of a model is none of C, as FMI requires: it might leave the folder; the name of a
             variable holds what is not visible.
     """
     for kind in (description.coSimulation, description.modelExchange):

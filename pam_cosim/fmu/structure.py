@@ -130,7 +130,7 @@ def _kinds(expression: ca.SX, symbols: ca.SX, fixed: ca.SX) -> dict[tuple[int, i
     }
 
 
-# Operations whose derivatives do not tell how the result depends on the operands.
+# Operations whose derivatives do not show how the result depends on the operands.
 _STEPS = frozenset(
     (
         ca.OP_LT,

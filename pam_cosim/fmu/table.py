@@ -36,7 +36,7 @@ class VariableEntry:
         variable: name, unit and limits.
         kind, index: where it stands in the ODE.
         causality, variability, initial: as FMI 2.0 names them.
-        start: start value, where FMI wants one.
+        start: start value, where FMI requires one.
         derivative_of: index of the state whose derivative this is.
         reference: value reference, from 1; variables that are always equal share one.
         alias: whether an earlier variable has the same reference.
@@ -214,7 +214,7 @@ def _entry(
 ) -> VariableEntry:
     if kind is Kind.STATE:
         start = starts[index]
-        # One that follows from parameters is what the model begins with where nobody sets another value.
+        # One that follows from parameters is what the model begins with unless another value is set.
         initial, usual = ("approx", variable.start) if start is None else ("exact", start)
         initial = "calculated" if usual is None else initial
         return VariableEntry(variable, kind, index, "local", initial=initial, start=usual)

@@ -1,6 +1,6 @@
 """Estimates the ledger of a model on a data set.
 
-The free parameters of the data set are estimated anew with every missing term: what one of their values explains
+The free parameters of the data set are estimated again with every missing term: what one of their values explains
 is not missing. What is compared are explanations of the same samples by their marginal likelihood, so that a term that
 may be any function of time does not win by being able to:
 
@@ -12,8 +12,8 @@ may be any function of time does not win by being able to:
 - where none reaches the noise: the unknown inputs together with a fault of one instrument, whose samples are then left
   out.
 
-What cannot be told apart is found, not assumed: two unknown inputs that push every state and every signal in the same
-direction at all times are one, and the ledger says so. Not told apart, and not noticed: two missing terms of one
+What cannot be distinguished is found, not assumed: two unknown inputs that push every state and every signal in the
+same direction at all times are one, and the ledger reports it. Not separated, and not noticed: two missing terms of one
 balance; a term and what a free parameter can imitate of it (``TermSeries.imitated``); a fault that changes from run to
 run and physics; two instruments at fault; a fault of an instrument together with a wrong law that only it shows.
 """

@@ -48,7 +48,7 @@ class Explainer:
     Attributes:
         signals: that are fitted and that the model gives; ``sigma`` (S,) their noise.
         free: parameters that are estimated along, from ``start`` on, between ``low`` and ``high`` (Q,) [SI].
-        notes: sentences on what could not be done or told apart; this grows.
+        notes: sentences on what could not be done or separated; this grows.
         same: by balance, others whose terms do the same in this model; this grows.
 
     Raises:

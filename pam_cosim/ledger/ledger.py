@@ -118,8 +118,8 @@ class Ledger(Printed, Plain):
         closed: with them the model meets the samples to the noise; if not, something is missing elsewhere too.
         before: mean square of sample minus model in noise variances; ``after``: with the failing entries.
         parameters: values of the free parameters with the failing entries [SI].
-        notes: what cannot be told apart.
-        domain: how the balances are told and drawn.
+        notes: what cannot be distinguished.
+        domain: how the balances are described and drawn.
     """
 
     json_keys = "model entries readings failing closed before after parameters notes"

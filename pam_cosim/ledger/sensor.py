@@ -1,7 +1,7 @@
 """Whether one instrument explains the error: a reading that is off by a constant or a factor, or lags.
 
 The model by itself, with its free parameters, is held against the samples; one signal at a time may read
-``offset + (1 + gain) y`` of a first-order lag of what the model says, the same in all runs.
+``offset + (1 + gain) y`` of a first-order lag of the model's values, the same in all runs.
 """
 
 from __future__ import annotations

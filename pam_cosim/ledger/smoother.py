@@ -43,7 +43,7 @@ _FIRST_SLACKS = (
 _ITERATIONS = 15
 _CLOSE = 1e-3  # change of a state, over its range, at which the iteration ends
 _SHORTENED = 6
-_SETTLED = 0.1  # the same at which the noise intensity is sought anew
+_SETTLED = 0.1  # the same at which the noise intensity is sought again
 _NOISE_INTENSITY_ROUNDS = 2
 
 

@@ -15,7 +15,7 @@ from pam_cosim.measurement.white_noise import estimate_noise
 from pam_cosim.simulation.inputs import Interpolation
 
 _COARSE = 2000  # Points of the longer recording by which offsets are looked for.
-_SLOPE = 3.0  # Samples to each side, by which a slope is told.
+_SLOPE = 3.0  # Samples to each side, by which a slope is estimated.
 _STEPS, _SHARE = (
     60,
     0.5,

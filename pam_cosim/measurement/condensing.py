@@ -20,7 +20,7 @@ def condensed(data: DataSet) -> tuple[DataSet, str]:
     """Means over the interval that leaves some ``MOST_ROWS`` rows, and a sentence on it; empty where it is as it was.
 
     Runs that hold means already, and points at rest, stay as they are: somebody chose their rows. So does a run whose
-    inputs lose much of their range, such as pulses of a valve: no mean says what they do.
+    inputs lose much of their range, such as pulses of a valve: no mean represents them.
     """
     dense = [run for run in data.runs if not run.is_static and not run.averaged]
     rows = sum(len(run.time) for run in dense)

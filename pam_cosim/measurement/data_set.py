@@ -125,7 +125,7 @@ class DataSet(Printed):
         parameters: known values for all runs [SI]; fitted parameters are not among them.
         fit: free parameters.
         runs: in the order of the file.
-        domain: how results are told in the field of the model.
+        domain: how results are described in the field of the model.
         excluded: families or names of effects that are known not to be missing. expected: those that are likely.
     """
 

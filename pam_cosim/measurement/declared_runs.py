@@ -224,7 +224,7 @@ def _stated_ends(table: RunTable) -> dict[str, float]:
 
 
 def _begun(interface: Interface, table: RunTable, uncut: Run, run: Run, instead: Overrides) -> Run:
-    """A run, or a piece of one, with its start; cut to other ends than are stated, where that is asked for.
+    """A run, or a piece of one, with its start; cut to other ends than are stated, where that is requested.
 
     What is stated of its start does not count where it then begins elsewhere, or is no longer the period that it was.
     """

@@ -23,8 +23,8 @@ def complete_noise(stated: Mapping[str, StatedSignal], runs: Sequence[Run]) -> d
     Where the samples show none, 1 % of their range is assumed: sparse ones, such as points read off a printed figure.
     Where runs of the same test differ more than that, or more is stated, their repeatability takes its place.
 
-    A record in steps has their noise of step/sqrt(12) besides a stated one, which is that of the sensor (B. Widrow,
-    I. Kollar, Quantization Noise, 2008); an estimated one holds it already. (What rounding does to a residual,
+    A record in steps has their noise of step/sqrt(12) in addition to a stated one, which is that of the sensor (B.
+    Widrow, I. Kollar, Quantization Noise, 2008); an estimated one holds it already. (What rounding does to a residual,
     ``comparison.rounding`` says.)
 
     Args:

@@ -74,7 +74,7 @@ def recording_of(table: Table, interface: Interface) -> Recording:
 def only_whole_rows(table: Table, needed: Iterable[str]) -> Table:
     """The table without the rows in which a needed column lacks a sample; only where words for missing ones are stated.
 
-    Without such words an empty cell is a slip, which is told as an error.
+    Without such words an empty cell is an error.
     """
     needed = [name for name in needed if name in table.columns]
     columns = [table.columns[name].values for name in needed]

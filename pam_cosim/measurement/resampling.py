@@ -1,7 +1,8 @@
 """A long recording as means over short intervals, so that a fit has the rows that carry information.
 
-The mean of k samples with independent noise has the noise divided by sqrt(k), and says as much of a signal that bends
-little within the interval. An input that steps keeps the time and both values of its step: no mean goes across it.
+The mean of k samples with independent noise has the noise divided by sqrt(k), and determines a signal equally well that
+bends little within the interval. An input that steps keeps the time and both values of its step: no mean goes across
+it.
 """
 
 from __future__ import annotations

@@ -56,7 +56,7 @@ class Signal:
         fitted: parameters are fitted to it and models judged by it; otherwise it is only shown with the model.
         step: of the record [unit], where that is coarse compared with the noise: ``sigma`` holds what it adds. 0: none.
         repeatability: standard deviation between runs of the same test [unit], the noise included: ``sigma`` is this
-            where it is larger. 0: nobody knows.
+            where it is larger. 0: unknown.
         repeats: ``repeatability`` was estimated from runs that repeat one another, not stated by the experimenter.
         assumed: the samples show no noise to estimate, so that ``sigma`` is a share of their range.
         stated: ``sigma`` as it was stated [unit], before steps and repeated runs count; None: it was not.

@@ -20,13 +20,13 @@ class Start:
         mode: "rest": as the model begins by itself, without pressure; "steady": at rest under the first inputs;
             "measured": what is measured begins where the first samples lie, the rest of the state consistent with it;
             "estimated": as that, and every start value is a parameter of the run. None: chosen from the first samples.
-        reason: where it was chosen and is not rest, a sentence that says so.
+        reason: where it was chosen and is not rest, the sentence for it.
         chosen: the mode was chosen, not stated.
         before: inputs [SI] that were held before the first sample, for ``seconds`` [s]; ``mode`` is that of then.
         seconds: 0: nothing is known of the time before.
         lead: [s] at the beginning that are simulated and not scored.
         leading: the samples of that time, by signal: times (m,) [s] and values (m,) [SI].
-        periodic: the run is one period of a motion that goes on for ever.
+        periodic: the run is one period of a periodic motion.
         periods: how many of them are simulated before it; 0: not known yet.
     """
 

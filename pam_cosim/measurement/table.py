@@ -203,7 +203,7 @@ def check_count(values: int, file: Path, unpacked: int = 0) -> None:
     Args:
         values: that it declares.
         file: where they are.
-        unpacked: bytes that it says it unpacks to; they count as numbers, be they texts or lists.
+        unpacked: bytes that it states it unpacks to; they count as numbers, texts and lists included.
     """
     values = max(values, unpacked // _BYTES)
     if values > MOST_VALUES:
@@ -218,7 +218,7 @@ def table_of(vectors: Iterable[tuple[str, str, Any]], stated: Layout, file: Path
     """The table of a file in which each column stands by itself; times of day are seconds since the first.
 
     Args:
-        vectors: heading, its unit ("": none) and values of each column; a text says what it holds instead of
+        vectors: heading, its unit ("": none) and values of each column; a text states what it holds instead of
             numbers.
         stated: how the file is written.
         file: path of the file.

@@ -35,7 +35,7 @@ _DAY = 86_400.0  # s
 _NOT_FINITE = ("nan", "inf", "infinity")
 
 
-class _GroupedColumn(Exception):  # noqa: N818 -- it asks for another reading
+class _GroupedColumn(Exception):  # noqa: N818 -- it requests another reading
     """The numbers of a column are grouped by thousands, with that sign."""
 
     def __init__(self, column: int, sign: str) -> None:

@@ -72,7 +72,7 @@ def find_layout(lines: list[Line], stated: Layout, file: Path) -> TextLayout:
     """The one layout by which the ``lines`` (number and text, without blank ones) are a table.
 
     Raises:
-        InputError: there is none, or several; says what to state.
+        InputError: there is none, or several; the message states what to type.
     """
     stated_separator = _SAID.fullmatch(lines[0][1])
     if stated_separator and stated_separator[1] in WORDS:

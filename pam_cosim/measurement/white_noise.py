@@ -7,8 +7,8 @@ Hall, Kay and Titterington, Biometrika 77, 1990). A median makes the estimate in
 A sensor that is slower than its logger shows each reading for several rows: one of them counts.
 
 Limits: noise is taken as white. A sensor that filters its samples looks less noisy than it is. A signal
-that bends within a few samples during most of the recording cannot be told from noise, and gives NaN. Noise below
-a third of the quantum comes out up to a fifth too small. The spread of the estimate itself is about 16 % with 50
+that bends within a few samples during most of the recording cannot be distinguished from noise, and gives NaN. Noise
+below a third of the quantum comes out up to a fifth too small. The spread of the estimate itself is about 16 % with 50
 samples, 7 % with 200, 5 % with 500 and 2.5 % with 2000.
 """
 
@@ -61,7 +61,8 @@ def estimate_noise(time: ArrayLike, values: ArrayLike) -> float:
 def _without_repeats(time: Array, values: Array) -> tuple[Array, Array]:
     """Rows of which most stand at the time of the one before: repeated ones are left out, others spread evenly.
 
-    A logger that writes each row twice says no more than one that does not; one whose clock is coarse goes on between.
+    A logger that writes each row twice has no more information than one that does not; one whose clock is coarse
+    continues in between.
     """
     steps = np.diff(time)
     if not steps.size or float(np.median(steps)) > 0.0 or time[-1] == time[0]:

@@ -16,7 +16,7 @@ class Domain:
     Attributes:
         balances: in the order in which they are opened and drawn.
         confused: rows of two balances and a sentence. Where a term of the first is missing while a law hides the
-            second, models that have a balance of the second are tried too; the sentence is said where both will do.
+            second, models that have a balance of the second are tried too; the sentence is printed where both fit.
         phases: rows of a unit and three words. The first output with that unit divides a run into parts in which it
             rises, rests and falls.
         moving: units of outputs of which it matters whether they grow, rest or shrink, and how fast.
@@ -25,7 +25,8 @@ class Domain:
         tested: what a tested range is a range of.
         ranges: rows of a unit, the least and the largest number of it that a rig of the field usually has; of "s", the
             duration of a run.
-        instruments: rows of a family and a sentence: the family is a fault of an instrument, and what it says of which.
+        instruments: rows of a family and a sentence: the family is a fault of an instrument; the sentence is on that
+            instrument.
     """
 
     balances: tuple[str, ...] = ()

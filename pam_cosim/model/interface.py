@@ -49,7 +49,7 @@ class Variable:
         text: of a String, the start value.
         span: of an Integer, the least and the greatest number of its type; None: not known.
         is_discrete: the value changes at events alone, and is constant between them.
-        pressures: of a pressure, whether it is "gauge" or "absolute"; "": nothing says so.
+        pressures: of a pressure, whether it is "gauge" or "absolute"; "": not stated.
     """
 
     name: str

@@ -55,7 +55,7 @@ def settable(name: str, interface: Interface) -> Variable:
     """What ``name`` stands for.
 
     Raises:
-        InputError: nothing of that name can be set; says which name is nearest.
+        InputError: nothing of that name can be set; names the nearest one.
     """
     variables = interface.settable
     if name not in variables:

@@ -11,15 +11,16 @@ class Vocabulary:
 
     Attributes:
         kinds: rows of a quantity, its SI unit, traits and words.
-        roles: rows of what tells a quantity from others of its kind, the kind that its word means alone, and words.
+        roles: rows of what distinguishes a quantity from others of its kind, the kind that its word means alone, and
+            words.
         units: rows of a kind and the units of numbers without one, each with the largest number that has it.
         sure: rows of a kind and words that leave no doubt of it.
         directions: rows of "down" or "up", and words.
-        data_sheets: rows of a parameter, the units of what data sheets tell and of the input, what an input of one
+        data_sheets: rows of a parameter, the units of what data sheets state and of the input, what an input of one
             opens, and the input at which it begins to open.
         nominal: rows of a unit that data sheets have instead, the unit that is meant, and the factor.
-        calibrated: words in descriptions of parameters that a fit tells.
-        uncertain: likewise, of those that may be free besides.
+        calibrated: words in descriptions of parameters that a fit determines.
+        uncertain: likewise, of those that may be free in addition.
         chosen: likewise, of those that are neither stated nor fitted.
         neutral: rows of a parameter and its value where the user names no part that has it.
     """

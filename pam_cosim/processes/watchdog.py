@@ -1,8 +1,8 @@
 """The process between a study and an FMU that is not trusted: it relays, watches the clock and cleans up.
 
-It runs no foreign code and imports the standard library alone. So nothing that an FMU does, be it to hold the
+It runs no foreign code and imports the standard library alone. So nothing that an FMU does, such as to hold the
 interpreter's lock while it is loaded, can keep it from ending the FMU's process: when that makes no progress, and when
-the study has ended, for whatever reason. It says that it is alive; where it falls silent, for the FMU may have stopped
+the study has ended, for whatever reason. It reports that it is alive; where it is silent, for the FMU may have stopped
 it, the study ends both.
 
 ``python watchdog.py LIMIT COMMAND...``: the command's last argument will be a folder of its own.
@@ -42,7 +42,7 @@ def write_frame(stream: IO[bytes], kind: bytes, content: bytes = b"") -> None:
     """Writes one message at once.
 
     Raises:
-        OSError: nobody reads any more.
+        OSError: the reader has gone.
     """
     stream.write(_HEAD.pack(kind, len(content)) + content)
     stream.flush()
@@ -60,7 +60,7 @@ def read_frame(stream: IO[bytes]) -> tuple[bytes, bytes]:
     kind, length = _HEAD.unpack(head)
     if (
         kind not in _KINDS or length > _LONGEST
-    ):  # somebody else has written here, such as an FMU into every file
+    ):  # another program has written here, such as an FMU into every file
         raise EOFError
     content = stream.read(length)
     if len(content) < length:

@@ -67,8 +67,8 @@ def on_one_thread(function: Callable[Arguments, Result]) -> Callable[Arguments, 
     return alone
 
 
-# Ends a process when its parent ends, which may be killed; where an orphan does not tell, idleness does it. A text, so
-# that a process need not load this package before it has a task.
+# Ends a process when its parent ends, which may be killed; where the system does not end an orphan, idleness does. A
+# text, so that a process need not load this package before it has a task.
 _END_WITH_PARENT = """
 import os, shutil, threading, time
 
@@ -106,7 +106,7 @@ def _start_helpers() -> None:
 
 def stop_workers() -> None:
     """Ends all worker processes: their tasks are interrupted and clean up; one that does not heed is killed."""
-    warnings.filterwarnings("ignore", module="loky")  # about workers that are gone
+    warnings.filterwarnings("ignore", module="loky")  # about workers that have ended
     children, deadline = active_children(), time.monotonic() + _GRACE
     while not all(future.done() for future in _running) and time.monotonic() < deadline:
         _signal(children, signal.SIGINT)
@@ -263,7 +263,7 @@ def wake(workers: int | None = None, module: str = __name__) -> None:
 
 def _load(module: str) -> None:
     import_module(module)
-    gc.freeze()  # what is loaded stays: nobody need look through it for waste
+    gc.freeze()  # what is loaded stays: it is not searched for garbage
 
 
 def run_tasks(
@@ -290,7 +290,7 @@ def run_tasks(
         return inline
     results: dict[int, Result] = {}
     waiting = list(range(len(tasks)))
-    # as many as ever, also for fewer tasks: a pool that shrinks has to start anew what it ended
+    # as many as ever, also for fewer tasks: a pool that shrinks has to start again what it ended
     suspects = _attempt(function, tasks, waiting, results, done, workers or processors())
     for i in suspects:  # a broken pool does not say who broke it: try those one by one
         if _attempt(function, tasks, [i], results, done, 1):

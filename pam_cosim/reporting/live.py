@@ -88,7 +88,7 @@ class Live:
     """A receiver of progress: ``pam.fit(data, progress=pam.live())``, ``pam.diagnose(data, progress=pam.live())``.
 
     In a notebook one picture of how things stand, the errors of a fit, the ranking and the verdict of a diagnosis, is
-    drawn anew as they change. Elsewhere every line is printed.
+    drawn again as they change. Elsewhere every line is printed.
     """
 
     def __init__(self) -> None:

@@ -22,7 +22,7 @@ from pam_cosim.simulation.values import Values
 CVODE = "CVode"
 _MOST_STEPS = 100_000  # from row to row, as our own solver
 _MOST_ITERATIONS = 1000  # of discrete states at one event
-_TOLERANCE = 1e-6  # relative, where neither the run nor the FMU says one
+_TOLERANCE = 1e-6  # relative, where neither the run nor the FMU states one
 _LONGEST_STEP = 0.02  # of a run, as FMPy has it: no short pulse of an input is stepped over
 _NO_DISTANCE = 1e-12  # of the time: two points so close are one
 _FATAL = 4  # status of FMI: nothing may be called after it

@@ -92,7 +92,7 @@ class FmuProcess:
         )
         assert process.stdin is not None and process.stdout is not None
         try:
-            with contextlib.suppress(OSError):  # it has ended: the answer says why
+            with contextlib.suppress(OSError):  # it has ended: the answer has the reason
                 watchdog.write_frame(process.stdin, watchdog.REQUEST, pickle.dumps(request))
             kind, content = self._next_frame(process)
         except EOFError:

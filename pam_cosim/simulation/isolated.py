@@ -30,14 +30,14 @@ class IsolatedSimulator:
     Between this process and the FMU's stands a third one, which ends the latter when it makes no progress or when this
     process ends, however it does (``watchdog``). One that hangs while it is loaded is not loaded again.
 
-    A run is made by co-simulation. Where the FMU has none, or says that it fails, as explicit solvers do on stiff
-    models, it is made by model exchange with CVode, in another process, and ``Trajectory.solver`` says so. That depends
-    on the run alone, not on those before it.
+    A run is made by co-simulation. Where the FMU has none, or reports that it fails, as explicit solvers do on stiff
+    models, it is made by model exchange with CVode, in another process, and ``Trajectory.solver`` states it. That
+    depends on the run alone, not on those before it.
 
     Args:
         path: an FMU of FMI 2.0 or 3.0.
         timeout: [s] without progress, after which the FMU is ended: to load it, or in any one call such as a step.
-            A run that goes on may last as long as it likes. None: ``TIME_LIMIT``; infinite: no limit. By model exchange
+            A running simulation may last any time. None: ``TIME_LIMIT``; infinite: no limit. By model exchange
             a run may also take no more processor time than this; None: than ``LONGEST_RUN``.
 
     Raises:

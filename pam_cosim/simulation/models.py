@@ -82,10 +82,9 @@ def opened(
 
     An FMU that this program built on this machine is run as a Modelica model is.
 
-    A Modelica model tells its sensitivities to the ``free`` parameters. ``timeout`` [s]: a run of a Modelica model ends
-    after so much processor time (None: ``LONGEST_RUN``); an FMU that makes no progress for so long is ended
-    (None: the default of ``IsolatedSimulator``). ``brief``: a Modelica model is for a few runs, and made without a
-    compiler.
+    A Modelica model returns its sensitivities to the ``free`` parameters. ``timeout`` [s]: a run of a Modelica model
+    ends after so much processor time (None: ``LONGEST_RUN``); an FMU that makes no progress for so long is ended (None:
+    the default of ``IsolatedSimulator``). ``brief``: a Modelica model is for a few runs, and made without a compiler.
     """
     model = model_name(model)
     if is_fmu(model):

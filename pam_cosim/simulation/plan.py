@@ -32,10 +32,10 @@ class CommunicationPlan:
         knots: (m,) row of ``values`` and ``slopes`` to set at the point, or -1.
         values, slopes: (k, inputs) [SI, SI/s] from a knot on.
         rows_before, rows_after: (m,) row of outputs read before and after the inputs are set, or -1.
-        rows: (n,) row of each time asked for.
+        rows: (n,) row of each time requested.
         row_count: number of rows.
         means: (m,) row of ``values`` to set at the point after reading, or -1; None: none.
-        grid: of an FMU with equal steps, where the times asked for are among them; None: they are points.
+        grid: of an FMU with equal steps, where the times requested are among them; None: they are points.
     """
 
     times: Array
@@ -112,7 +112,7 @@ def plan(
 ) -> CommunicationPlan:
     """Lays out a run.
 
-    An output at the time of a step in an input is read after the step; where a time is asked for twice, the
+    An output at the time of a step in an input is read after the step; where a time is requested twice, the
     first is read before it.
 
     Args:

@@ -246,7 +246,7 @@ class Simulator:
         Raises:
             InputError: unknown names, an input given both ways, inputs of unlike length, or an FMU of another tool,
                 which does not find equilibria.
-            SimulationFailure: (``RunFailure``) there is no equilibrium, or none was found; says under which inputs.
+            SimulationFailure: (``RunFailure``) there is no equilibrium, or none was found; the message has the inputs.
         """
         if not self._driver.settles:
             raise InputError(f"quasi-static data need equilibria, which {_OTHER_TOOLS}", self.path)
@@ -367,7 +367,7 @@ class Simulator:
         """A new run of the instance, step by step; it ends when another run begins.
 
         Raises:
-            SimulationFailure: the FMU can neither be reset nor made anew.
+            SimulationFailure: the FMU can neither be reset nor made again.
         """
         if self._instance is None:
             raise RuntimeError("the simulator is closed")

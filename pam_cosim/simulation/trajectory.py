@@ -27,7 +27,7 @@ class Trajectory(Printed, Tabular):
         time: (n,) [s].
         values: name to (n,) [``units``].
         units: name to unit.
-        warnings: what the model said of this run, such as assertions of level warning that do not hold.
+        warnings: messages of the model on this run, such as assertions of level warning that do not hold.
         solver: a sentence, where not the FMU's own co-simulation made the run, but its model exchange with a solver.
     """
 

@@ -219,7 +219,7 @@ class EliminatedStarts:
 
         Args:
             jacobian: (rows, parameters) of the residuals with the start values where they are.
-            z: where a descent goes on, along these slopes; None: nowhere.
+            z: where a descent continues, along these slopes; None: nowhere.
         """
         followed = jacobian.copy()
         for values_of_run, rows, prior_places in self._blocks(jacobian):

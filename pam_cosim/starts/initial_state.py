@@ -31,7 +31,7 @@ def initial_state(
     Args:
         simulator: the model.
         data: the data set the run belongs to.
-        run: says in which state it begins.
+        run: has the state in which it begins.
         parameters: what it is simulated with [SI]; start values among them were stated, estimated or eliminated.
     """
     start = run.start

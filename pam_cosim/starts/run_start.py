@@ -61,7 +61,7 @@ def inputs_of_run(run: Run) -> Inputs | None:
     if not values:
         return None
     if start.seconds:
-        # a step at the first row: what was before, and what the row says
+        # a step at the first row: the value before, and that of the row
         time = np.concatenate([[time[0] - start.seconds, time[0]], time])
         values = {
             n: np.concatenate([np.full(2, start.before.get(n, v[0])), v]) for n, v in values.items()
@@ -160,7 +160,7 @@ def first_samples(time: Array, values: Array, sigma: float, start: float) -> Fir
         return None
     t, first_value = time[sample_rows] - start, float(values[sample_rows[0]])
     if len(t) > 1 and t[0] > CRITERIA.starts.pause * float(np.median(np.diff(t))):
-        return None  # a line through such samples says what the signal did then, not where it was
+        return None  # a line through such samples shows the signal's slope then, not its start
     if len(sample_rows) < _LEAST or not sigma:
         return FirstSamples(first_value, sigma)
     # straight lines through the first one, two, ... n samples

@@ -37,7 +37,7 @@ class StartValues:
         names: of the k states.
         mean, sd: (k,) what is known of them beforehand [SI]: where the first samples and the equilibrium with them
             say that it begins, and how far the runs take them.
-        values: (k,) the present ones [SI]; ``low`` and ``high`` (k,) what the model says that they can be.
+        values: (k,) the present ones [SI]; ``low`` and ``high`` (k,) their range in the model.
         still: states that no run moves, where they are [SI].
         slopes: (n, k) of the run's residuals by them, where they were last eliminated; of all rows those of what is
             known beforehand come last.

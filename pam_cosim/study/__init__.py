@@ -1,6 +1,6 @@
 """The steps of a study as one function each; ``pam_cosim`` offers them all.
 
-A function is loaded when it is asked for: a command that simulates loads nothing that diagnoses.
+A function is loaded when it is requested: a command that simulates loads nothing that diagnoses.
 """
 
 from typing import TYPE_CHECKING

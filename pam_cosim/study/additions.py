@@ -40,7 +40,7 @@ def add(
     """The Modelica text of a model with effects, or with what a diagnosis or a fit found; ``output`` is its file.
 
     ```python
-    pam.add(diagnosis, output="Better.mo")  # with the fitted values: compare shows what the verdict said
+    pam.add(diagnosis, output="Better.mo")  # with the fitted values: compare shows the errors of the verdict
     pam.add(["LinearBladder"], to="Isotonic", output="Better.mo")  # with default values
     ```
 

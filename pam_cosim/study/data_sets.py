@@ -54,13 +54,13 @@ def read(
             without the samples that it set aside.
         model: default: the bench of the data set.
         files: further Modelica files.
-        roles: "fit" or "holdout" by run, where it shall be another one than the data set says. A pattern such as
+        roles: "fit" or "holdout" by run, where it shall be another one than the data set states. A pattern such as
             "test*" in the place of a run, here, for ``cuts`` and for ``starts``: all runs that have no own value.
         cuts: the first and the last time of a run, by run, instead of ``from`` and ``to`` of the data set: [s] of the
             file's own clock or texts with a unit; None: as it was recorded. Where it begins elsewhere then, its start
-            is chosen anew.
+            is chosen again.
         starts: "rest", "steady", "measured" or "estimated" by run, likewise, where it shall begin otherwise than the
-            data set says.
+            data set states.
 
     Raises:
         InputError: with file, line and column of what cannot be used; no such run, role or start; nothing is left;

@@ -47,7 +47,7 @@ def fit(
         files: further Modelica files.
         progress: called after each simulation with the ``FitProgress``, which prints itself: ``print`` will do.
         timeout: as in ``simulate``.
-        resume: a file that keeps every simulation. The same call goes on where the last one was interrupted
+        resume: a file that keeps every simulation. The same call continues where the last one was interrupted
             and ends as it would have; the file is made where it is not there.
 
     Raises:

@@ -150,7 +150,7 @@ def values_of_file(
     Args:
         file: as ``read_fitted_model`` takes it.
         data: the measurement that they are used with.
-        model: as asked for; None: the bench of the data set.
+        model: as requested; None: the bench of the data set.
         files: further Modelica files.
 
     Raises:

@@ -201,7 +201,7 @@ def _constant(head: str, text: str, variable: Variable) -> float:
 def _at(name: str, function: Callable[[float], Any], t: float) -> float:
     try:
         return float(function(t))
-    except Exception as problem:  # somebody else's function
+    except Exception as problem:  # a function of the user
         raise InputError(
             f"the function of the input '{name}' fails at {t:g} s: {problem!r}"
         ) from problem

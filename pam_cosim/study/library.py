@@ -69,17 +69,17 @@ def bench(
 
     Args:
         pneumatics: what feeds the muscle, by its name in ``rig_parts`` or the full name of its class.
-        mechanics: what holds its load end, likewise; it says how many muscles there are.
+        mechanics: what holds its load end, likewise; it determines the number of muscles.
         muscle: likewise; default: the usual one.
         measure: the signals that are read: names, or one text with commas. With several muscles "x" is that of each
             and "x_1" that of the first. Default: what is usual with these parts.
         output: a file that ends in ``.mo``.
-        static: for points at rest; an input ``branch`` then tells in which direction they were reached.
+        static: for points at rest; an input ``branch`` is then the direction in which they were reached.
         files: further Modelica files with parts of one's own.
 
     Raises:
         InputError: an unknown part or signal, a signal that is imposed, or parts that do not fit together.
-        ModelError: a part is not what its interface asks for.
+        ModelError: a part is not what its interface requires.
     """
     if output:
         check_model_file(Path(output))

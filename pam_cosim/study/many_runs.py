@@ -73,7 +73,7 @@ def sweep(
         runs: how many, of "random" and "latin-hypercube".
         seed: of these.
         output: a file for the result, NetCDF (.nc), Parquet (.parquet) or CSV. Finished runs are kept next to it: a
-            sweep that was stopped goes on with the same call.
+            sweep that was stopped continues with the same call.
         executor: where runs are made: any executor of ``concurrent.futures``, a Dask client or the address of a Dask
             scheduler; default: processes of this machine, as soon as the work is worth them.
         workers: how many of these; 1: this process alone.

@@ -51,7 +51,7 @@ def observe(
         recording: inputs and measurements: a CSV file with columns ``name [unit]``, or a trajectory in SI units.
         noise: standard deviation of each signal that is to be taken as measured.
         outputs: what is wanted: outputs or any other variables; default: every output.
-        unknown: inputs that nobody measures, such as a load: standard deviation at the start, and of the change within
+        unknown: unmeasured inputs, such as a load: standard deviation at the start, and of the change within
             a second.
         drift: standard deviation of what the model does not know of a state, within a second; default: none.
         spread: standard deviation of a state at the start; default: a hundredth of its nominal size.

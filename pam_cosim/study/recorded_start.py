@@ -59,7 +59,7 @@ def recorded_start(
             return {
                 name: float(values[0]) for name, values in states.items()
             }, run.start.reason.removesuffix(": estimated")
-        except SimulationFailure:  # the filter says what it cannot do
+        except SimulationFailure:  # the filter reports what it cannot do
             return {}, ""
 
 

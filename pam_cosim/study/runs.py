@@ -97,7 +97,7 @@ def kept_variables(interface: Interface, outputs: Sequence[str]) -> list[str]:
     """The model's own outputs and the further variables that are requested.
 
     Raises:
-        InputError: there is no such variable; says which is nearest.
+        InputError: there is no such variable; names the nearest one.
     """
     if isinstance(outputs, str):
         raise InputError(f"outputs are a list of names: write ['{outputs}']")

@@ -38,7 +38,7 @@ def write_next_run(path: Path, plan: NextExperiment) -> None:
 def next_run_text(plan: NextExperiment) -> str:
     """The inputs of a next experiment as a run's CSV; what else to set stands in comments above.
 
-    Where inputs are held between the points, a step is two rows at one time, so that the file says the same whether
+    Where inputs are held between the points, a step is two rows at one time, so that the file means the same whether
     it is read as straight lines or as steps.
     """
     rows = list(zip(*plan.table.values(), strict=True))

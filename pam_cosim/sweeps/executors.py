@@ -37,7 +37,7 @@ def run_all(
 
     Raises:
         InputError: no such executor.
-        SimulationFailure: a process of the executor died; what is said is said.
+        SimulationFailure: a process of the executor died; earlier reports remain.
     """
     if executor is None:
         try:

@@ -31,7 +31,7 @@ def read_patterns(given: Any, read: Callable[[Any], Inputs | None]) -> tuple[Pat
     """The patterns of a list, or by their names of a mapping.
 
     Args:
-        given: whatever says inputs over time, several times; a file is called as it is, others by their place from 0.
+        given: several inputs over time; a file has its own name, others their place from 0.
         read: makes inputs of one of them.
 
     Raises:

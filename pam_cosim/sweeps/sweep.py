@@ -39,7 +39,7 @@ class SweepPlan:
         outputs: variables that are kept over time.
         scalars: numbers to make of each run.
         keep: whether values over time are kept.
-        foreign: whether the FMU is of somebody else.
+        foreign: whether another tool made the FMU.
         timeout: of such an FMU [s].
     """
 

@@ -28,7 +28,7 @@ class SweepJob:
     Attributes:
         fmu: the file.
         content: of the file, for a machine that may not have it; None: it is there.
-        foreign: whether it is an FMU of somebody else's, which runs in a process of its own.
+        foreign: whether it is an FMU of another tool, which runs in a process of its own.
         timeout: of such an FMU, or of a run [s].
         times: (n,) [s].
         names: what is varied.
@@ -117,7 +117,7 @@ def _row(job: SweepJob, simulator: AnySimulator, run: int, varied: dict[str, flo
     return RunResult(run, numbers, values, warnings=trajectory.warnings)
 
 
-# The FMU of somebody else's that this process has in use: one that hangs while it is loaded is not loaded again.
+# The FMU of another tool that this process has in use: one that hangs while it is loaded is not loaded again.
 _foreign: dict[tuple[Path, float | None], IsolatedSimulator] = {}
 
 

@@ -2,7 +2,7 @@
 
 Both spellings are read by one small grammar: ``W/(m2.K)``, ``N.s/m``, ``m/s^2``, ``kg*m``, ``N/mm²``, ``degC``, ``%``.
 Pressures carry no reference: ``kPa`` on a gauge pressure is gauge, and so are ``kPag``, ``bar(g)`` and ``barü``; what
-says that it is absolute, such as ``psia``, is refused, for its numbers are others.
+states an absolute pressure, such as ``psia``, is refused, for its numbers are others.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What a page offers to download, made when it is asked for."""
+"""What a page offers to download, made when it is requested."""
 
 from __future__ import annotations
 

@@ -120,7 +120,7 @@ class Drop:
 
     def failed(self, wishes: Mapping[str, Any], problem: Exception) -> Json:
         """What is wrong, and what can be said of the files though nothing could be made of them: of the bench that is
-        asked for, or as it was when something could."""
+        requested, or as it was when something could."""
         last = self._last or event(
             "draft",
             title=self.folder.resolve().name,

@@ -123,7 +123,7 @@ class Workbench:
         """Makes the data set and opens it, or leaves nothing of it.
 
         Raises:
-            InputError: what cannot be used, or simulated; the page is told too, with the fields that answer it.
+            InputError: what cannot be used, or simulated; the page gets it too, with the fields that answer it.
         """
         drop.create(wishes)
         try:

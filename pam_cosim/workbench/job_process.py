@@ -15,7 +15,7 @@ from pam_cosim.processes.safe_path import safe_command, safe_environment
 from pam_cosim.processes.watchdog import ANSWER, read_frame, write_frame
 
 CAN_HOLD = hasattr(signal, "SIGSTOP")
-_PATIENCE = 2.0  # [s] for the process to end when nobody asks any more
+_PATIENCE = 2.0  # [s] for the process to end when there are no more requests
 
 Heard = Callable[[object], None]
 Done = Callable[[bool, Any], None]
@@ -26,7 +26,7 @@ class JobEnded(RuntimeError):
 
 
 class Worker:
-    """A process that is started when it is first needed, kept for the next job, and started anew after it was ended."""
+    """A process that is started when first needed, kept for the next job, and restarted after it was ended."""
 
     def __init__(self) -> None:
         self._process: subprocess.Popen[bytes] | None = None

@@ -19,8 +19,8 @@ from pam_cosim.workbench.open_study import OpenStudy
 from pam_cosim.workbench.protocol import DIAGNOSIS, Json, event, selected
 from pam_cosim.workbench.windows import Windows
 
-_PACE = 0.1  # [s] between two drawings of a fit that goes on
-_RANKED = 0.3  # [s] between two rankings of a diagnosis that goes on
+_PACE = 0.1  # [s] between two drawings of a running fit
+_RANKED = 0.3  # [s] between two rankings of a running diagnosis
 
 _WORDS = {"fit": "a fit", "diagnose": "a diagnosis", "check": "a check"}
 

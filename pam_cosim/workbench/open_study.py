@@ -155,7 +155,7 @@ class OpenStudy:
         self.past = [*self.past[-MOST_BACK:], lean_state]
 
     def back(self, state: State, *, moved: bool = False) -> None:
-        """Makes a state the present one: all that depends on it is made anew, or nothing.
+        """Makes a state the present one: all that depends on it is made again, or nothing.
 
         Args:
             state: a new one, one that stood before, or one that was loaded.

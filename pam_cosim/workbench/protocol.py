@@ -36,7 +36,7 @@ saved: file.
 dropped: files: name, bytes, lines (the first; none where a file is no text).
 draft: failed and excerpt (the lines around the wrong one), or both null; title, model, guesses, starts, to_check, runs,
     names, parameters, columns and stated (of experiment.toml), benches, parts (of a bench), toml, curves: the data set
-    that the files make, or what can be said of it.
+    that the files make, or its errors.
 
 A level of a signal has rms and text; a rung of the ladder has label, fit, holdout
 (levels by signal), chi2_fit and chi2_holdout.

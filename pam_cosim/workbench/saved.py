@@ -1,7 +1,7 @@
 """A study as files of its folder: what is in them, checked by pydantic before any of it is used, written and read.
 
-The files may come from somebody else. Names become arguments of scripts, so that each is of a known kind: unknown keys,
-steps and methods are errors that name their place.
+The files may come from an untrusted source. Names become arguments of scripts, so that each is of a known kind: unknown
+keys, steps and methods are errors that name their place.
 """
 
 from __future__ import annotations
@@ -191,7 +191,7 @@ class AddStep(CheckedTable):
 
 
 class Chosen(CheckedTable):
-    """What is chosen in place of what the data set says; see ``MeasurementSource.read``."""
+    """What is chosen in place of what the data set states; see ``MeasurementSource.read``."""
 
     roles: Roles = {}
     cuts: Cuts = {}

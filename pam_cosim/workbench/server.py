@@ -53,7 +53,7 @@ class Window:
     def __init__(self, socket: WebSocket, loop: asyncio.AbstractEventLoop) -> None:
         self.socket, self.loop = socket, loop
         self.waiting: asyncio.Queue[str | bytes | None] = asyncio.Queue()
-        self.lost = asyncio.Event()  # set where nobody reads what it is told
+        self.lost = asyncio.Event()  # set where no reader is left
         self._letters = 0  # that wait
         self._asked = asyncio.Semaphore(MOST_ASKED)
         self._newest: bytes | None = None  # of the model's curves, whose place in the queue is None
@@ -149,7 +149,7 @@ async def _body(request: Request) -> bytearray:
     """A file that is sent.
 
     Raises:
-        InputError: it is too large; one that says so is not read.
+        InputError: it is too large; one whose header states so is not read.
     """
     content = bytearray()
     announced = request.headers.get("content-length", "0")
@@ -242,7 +242,7 @@ def serve(
         files: further Modelica files.
         port: 0: a free one.
         browser: whether to open the page.
-        tell: is told the address, and other things worth knowing.
+        tell: gets the address, and other messages.
 
     Raises:
         InputError: the data set cannot be read, or the port is taken.

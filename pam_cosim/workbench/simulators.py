@@ -36,7 +36,7 @@ class Simulated:
 class Simulators:
     """Instances of one model. The solver lets other threads go on while it works, so that as many runs advance at once.
 
-    An FMU of somebody else's has one instance, in a process of its own.
+    An FMU of another tool has one instance, in a process of its own.
 
     Args:
         first: an instance.

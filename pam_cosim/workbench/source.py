@@ -1,4 +1,4 @@
-"""The measurement of a study: its folder, read anew after something is chosen in place of what the data set says."""
+"""The measurement of a study: its folder, read again after something is chosen in place of what the data set states."""
 
 from __future__ import annotations
 

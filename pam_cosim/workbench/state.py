@@ -29,7 +29,7 @@ class State:
         diagnosis: the last one; ``diagnosed``: the effects that the model had then.
         rungs: of the error ladder, the standing model not among them.
         milestone: what the standing model is called on the ladder, as long as nothing is changed; "": it has no place.
-        chosen: here, in place of what the data set says; see ``source.MeasurementSource.read``.
+        chosen: here, in place of what the data set states; see ``source.MeasurementSource.read``.
         known: every value of the base model, with where it comes from.
         steps: done so far; ``loaded``: how many of them were done when the study was loaded, which stay as they are.
         file: that the model with its effects was written to, by its name in the folder of the study.

@@ -25,7 +25,7 @@ from pam_cosim.simulation import models
 from pam_cosim.simulation.worker import private_input, private_output
 
 _LOOK = 0.5  # [s] between two looks whether the server is still there
-_PACE = 0.05  # [s] between two standings of a fit that are told
+_PACE = 0.05  # [s] between two standings of a fit that are reported
 
 Tell = Callable[[object], None]
 
@@ -71,7 +71,7 @@ JOBS = {"fit": fit, "diagnose": diagnose, "check": check, "prepare": prepare}
 
 
 def main() -> None:
-    """Serves one request after another until nobody asks any more."""
+    """Serves one request after another until there are no more requests."""
     requests, channel = private_input(), private_output()
     threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
 
@@ -89,7 +89,7 @@ def main() -> None:
             answer = True, JOBS[job](tell, data, model, options)
         except (InputError, SimulationFailure) as problem:
             answer = False, problem
-        except Exception as defect:  # it is told, and the process goes on
+        except Exception as defect:  # it is reported, and the process continues
             answer = False, SimulationFailure(f"{type(defect).__name__}: {defect}")
         write_frame(channel, ANSWER, pickle.dumps(answer))
     stop_workers()

@@ -229,7 +229,9 @@ def test_two_rows(tmp_path: Path) -> None:
 def test_what_drives_a_rig_is_asked_and_no_column_suggested_that_is_none(tmp_path: Path) -> None:
     rows: list[list[object]] = [[0.1 * k, 500, k, k + 1] for k in range(50)]
     heads = "t [s],source [kPa],knee_p [kPa],hip_p [kPa]"
-    with pytest.raises(InputError, match="lacks the inputs u; state what columns are, or the bench"):
+    with pytest.raises(
+        InputError, match="lacks the inputs u; state what columns are, or the bench"
+    ):
         pam.new(tmp_path / "rig", [write(tmp_path / "a.csv", heads, rows)])
 
 

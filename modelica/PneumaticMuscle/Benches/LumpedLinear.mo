@@ -1,7 +1,7 @@
 within PneumaticMuscle.Benches;
 model LumpedLinear "Linear model of three states, pressure, length and its rate, AM Fig. 9"
   extends Icons.Bench;
-  Interfaces.Signals.GaugePressureInput p_in(start=4.5e5) "Pressure that the regulator is told"
+  Interfaces.Signals.GaugePressureInput p_in(start=4.5e5) "Set pressure of the regulator"
     annotation (Placement(transformation(extent={{-110,-35},{-90,-15}}),
       iconTransformation(extent={{-110,-10},{-90,10}})));
   Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the muscle"

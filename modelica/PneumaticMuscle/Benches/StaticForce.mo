@@ -28,7 +28,7 @@ equation
     experiment(StopTime=1, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">AM</a>, theoretical force equations 1 to 3: Kang's force
 with q = 1 + 3 exp(-2e-6 P), D0 = 1 cm, 23 degrees, 30 cm. Each sample of the inputs is a point of a data sheet's grid
-of force by pressure and contraction, so a grid can be compared and fitted as if it were a course of time.</p>
+of force by pressure and contraction, so a grid can be compared and fitted as if it were a time series.</p>
 <p>About 6 bar and 10 % strain the stated parameters give F = 205.67 N, dF/dP = 5.7239e-4 m2 and dF/dL = 8061.8 N/m. AM
 Fig. 7 has 5.7238e-5 and 8061.8: the stiffness is confirmed, the other coefficient is ten times too small in print.</p>
 </html>"));

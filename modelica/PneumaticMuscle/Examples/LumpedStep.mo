@@ -4,7 +4,7 @@ model LumpedStep "The linear model's step from 2.5 to 4.5 bar, AM dynamic step r
   output Types.GaugePressure p = bench.p "Gauge pressure";
   output Types.Length L = bench.L "Length, from that at the operating point";
   output Types.Force F = bench.F "Change of the pull";
-  Sources.Step step(before=2.5e5, after=4.5e5, start=0.2, rise=1e-3) "Pressure that the regulator is told"
+  Sources.Step step(before=2.5e5, after=4.5e5, start=0.2, rise=1e-3) "Set pressure of the regulator"
     annotation (Placement(transformation(extent={{-70,-20},{-30,20}})));
   Benches.LumpedLinear bench "Linear model"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Icons;
-partial class DeadVolume "Space beside"
+partial class DeadVolume "Dead volume"
   extends MassEffect;
   annotation (Icon(coordinateSystem(preserveAspectRatio=true, extent={{-100,-100},{100,100}}), graphics={
     Line(points={{-90,-50}, {-25,-50}}, color={0,90,160}, thickness=1),

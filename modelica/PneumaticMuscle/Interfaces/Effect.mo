@@ -1,11 +1,11 @@
 within PneumaticMuscle.Interfaces;
-partial model Effect "What every effect says of itself"
+partial model Effect "Statements of every effect"
   extends Icons.Named;
   constant String family "Family of the effect, an identifier such as elasticity";
   constant String balance "Balance in which it acts: force, mass, energy or sensor";
   constant String absent = "" "Parameter values at which the effect vanishes, such as k=0; empty where there are none";
   constant Boolean general = false
-    "It says whatever its family can, and is named only where the family's other members leave something";
+    "General form of its family, named only where the other members do not suffice";
   annotation (Documentation(info="<html>
 <p>A class that extends this one is part of the catalogue. Its own public parameters that have both a minimum
 and a maximum are estimated when the effect is tried on a measurement, starting from their values.</p>

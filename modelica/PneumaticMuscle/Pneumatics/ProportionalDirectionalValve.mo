@@ -18,15 +18,15 @@ model ProportionalDirectionalValve
     "Place of the spool, 1: open to the supply, -1: to the exhaust";
 protected
   constant Real closed(unit="1") = 1e-3 "Part of the stroke on which corners are rounded";
-  Real told(unit="1") "Place that the command asks for";
+  Real commanded(unit="1") "Commanded place of the spool";
   Real wanted(unit="1") "The same within the stroke";
 initial equation
   if dynamics == Types.Dynamics.SteadyStateInitial then
     der(y) = 0;
   end if;
 equation
-  told = (u - u_mid)/u_full;
-  wanted = (sqrt((told + 1)^2 + closed^2) - sqrt((told - 1)^2 + closed^2))/2;
+  commanded = (u - u_mid)/u_full;
+  wanted = (sqrt((commanded + 1)^2 + closed^2) - sqrt((commanded - 1)^2 + closed^2))/2;
   tau*der(y) = wanted - y;
   connect(p_supply, supply.p_gauge)
     annotation (Line(points={{-100,-40}, {-95,-40}, {-95,60}, {-90,60}}, color={0,0,127}));

@@ -33,7 +33,7 @@ package Types "Physical quantities with their SI units"
   type CoefficientOfHeatTransfer = Real(final quantity="CoefficientOfHeatTransfer", final unit="W/(m2.K)")
     "Heat transfer coefficient";
   type Dynamics = enumeration(
-    DynamicFreeInitial "Guess: as nothing else says, from the start values",
+    DynamicFreeInitial "Guess: from the start values",
     FixedInitial "Fixed: with the start values",
     SteadyStateInitial "Steady: at rest under the first inputs, sought from the start values")
     "How what is stored begins; the names are those of Modelica.Fluid.Types.Dynamics";

@@ -296,7 +296,7 @@ def problem_of(
 
 
 def say_written(*paths: Path | None) -> None:
-    """Names results on standard error, those that were asked for."""
+    """Names results on standard error, those that were requested."""
     for path in filter(None, paths):
         typer.secho(f"written: {path}", dim=True, err=True)
 
@@ -308,7 +308,7 @@ def tell_and_write(
     plot: Path | None,
     width: str | None,
 ) -> None:
-    """Prints a product and writes it where that was asked for: as CSV, as JSON and as a picture."""
+    """Prints a product and writes it where that was requested: as CSV, as JSON and as a picture."""
     from pam_cosim import study
 
     typer.echo(str(product))

@@ -29,7 +29,7 @@ from pam_cosim.units import format_quantity
 from pam_cosim.wording import look_first
 
 Value = TypeVar("Value")
-_ADAPTIVE = 1e-3  # relative error of a step, where nobody says another
+_ADAPTIVE = 1e-3  # relative error of a step, unless another is stated
 
 
 def couple(

@@ -32,7 +32,7 @@ from pam_cosim.sweeps import DESIGNS, FUNCTIONS, Sweep, partial_of
 from pam_cosim.sweeps.patterns import INPUTS
 from pam_cosim.wording import look_first
 
-_MOST_FAILURES = 20  # that are told one by one
+_MOST_FAILURES = 20  # that are reported one by one
 
 
 def sweep(
@@ -92,7 +92,7 @@ def sweep(
 ) -> None:
     """Many runs: every combination of what is varied, a list, or random points.
 
-    A sweep that was stopped goes on with the same command.
+    A sweep that was stopped continues with the same command.
     """
     varied = parse_varied(vary)
     check_results(

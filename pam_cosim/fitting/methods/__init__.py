@@ -1,7 +1,7 @@
 """The ways to fit: each module of this folder is one, with a function ``minimise`` and its name in ``METHODS``.
 
 A method gets a ``Problem`` and returns a ``Solution``; it may use ``solve``, the descents from several starts, or go a
-way of its own. The first line of its docstring is what the command line says of it. Nothing else needs to know of it.
+way of its own. The first line of its docstring is its help on the command line. Nothing else needs to know of it.
 """
 
 from __future__ import annotations

@@ -56,7 +56,7 @@ def plan_figure(plan: RunPlan) -> Figure:
     ]
     note = Patch(color=BAND, label="Δ: difference to the first; band: ±2 σ of the noise")
     legend_outside(figure, [*lines, note], "outside lower center")
-    if not is_narrow():  # the caption of a paper says it
+    if not is_narrow():  # the caption of a paper has it
         title = fill(plan.expectation, letters_in(float(figure.get_size_inches()[0])))
         figure.suptitle(title, fontsize="medium")
     figure.align_ylabels()

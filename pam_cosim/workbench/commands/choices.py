@@ -1,4 +1,4 @@
-"""What is chosen in place of what the data set says: of runs, signals and parameters."""
+"""What is chosen in place of what the data set states: of runs, signals and parameters."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def cut(
     """Keeps of a run what lies between two times, in seconds or with a unit; None: its beginning, or its end, as it was
     recorded.
 
-    Where it begins elsewhere than before, its start is chosen anew.
+    Where it begins elsewhere than before, its start is chosen again.
     """
     study.make_room()
     old, chosen = _run(study.state.data, run), study.state.chosen
@@ -152,7 +152,7 @@ def _choose(
     more: Mapping[str, Any],
     values: Mapping[str, float] | None = None,
 ) -> None:
-    """Reads the data set anew with more that is chosen; the ladder begins anew where it would compare other samples."""
+    """Reads the data set again with more choices; the ladder restarts where its samples would differ."""
     state = study.state
     chosen, values_after = (
         {**state.chosen, **more},

@@ -20,7 +20,7 @@ from pam_cosim.workbench.steps import Step
 def set_values(study: StudyWithJobs, values: Mapping[str, Any], dragged: bool = False) -> None:
     """Sets parameters and start values: numbers in their shown units, or texts with a unit.
 
-    A parameter that is not free is stated anew; null: as the data set states. ``dragged``: a step with those before.
+    A parameter that is not free is stated again; null: as the data set states. ``dragged``: a step with those before.
     """
     study.check_free()
     interface = study.opened.simulator.interface

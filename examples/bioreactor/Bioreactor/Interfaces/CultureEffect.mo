@@ -1,5 +1,5 @@
 within Bioreactor.Interfaces;
-partial model CultureEffect "An effect beside the culture; left open: the equations of r_S and r_X"
+partial model CultureEffect "An effect in parallel to the culture; left open: the equations of r_S and r_X"
   extends Culture;
   extends Effect;
   Real S(unit="kg/m3") "Concentration of the substrate";

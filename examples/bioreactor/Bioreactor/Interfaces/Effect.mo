@@ -1,7 +1,7 @@
 within Bioreactor.Interfaces;
-partial model Effect "What every effect says of itself"
+partial model Effect "Statements of every effect"
   constant String family "Family of the effect, an identifier";
   constant String balance "Balance in which it acts: growth, substrate or biomass";
   constant String absent = "" "Parameter values at which the effect vanishes, such as K_S=0";
-  constant Boolean general = false "It says whatever its family can";
+  constant Boolean general = false "General form of its family";
 end Effect;

@@ -1,5 +1,5 @@
 within DCMotor.Interfaces;
-partial model MotorTerminals "The terminals of a motor: an effect that has them too lies beside the motor"
+partial model MotorTerminals "The terminals of a motor: an effect that has them too is connected in parallel"
   Mesh mesh "Circuit of the armature";
   Flange shaft "Shaft";
 end MotorTerminals;

@@ -1,5 +1,5 @@
 within DCMotor.Interfaces;
-partial model TorqueEffect "An effect that adds a torque beside the motor; left open: the equation of tau"
+partial model TorqueEffect "An effect that adds a torque in parallel to the motor; left open: the equation of tau"
   extends MotorTerminals;
   extends Effect(final balance="torque");
   Real tau(unit="N.m") "Torque against rotation";

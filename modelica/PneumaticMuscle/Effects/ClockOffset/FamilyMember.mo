@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.ClockOffset;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.Effect(final family="clock_offset", final balance="sensor");
   extends Icons.ClockOffset;
   annotation (Documentation(info="<html>

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.Creep;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.ForceEffect(final family="creep");
   extends Icons.Creep;
   parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects;
-package DeadVolume "Space that the gas fills beside the muscle or vessel"
+package DeadVolume "Gas volume in addition to that of the muscle or vessel"
   extends Icons.DeadVolume;
   annotation (Documentation(info="<html>
 <p>The family <code>dead_volume</code>: a further volume at the pressure of the gas, behind an opening or not.</p>

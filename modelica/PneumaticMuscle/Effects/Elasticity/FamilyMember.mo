@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.Elasticity;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.ForceEffect(final family="elasticity");
   extends Icons.Elasticity;
   annotation (Documentation(info="<html>

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.EndShape;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.Effect(final family="end_shape", final balance="force");
   extends Icons.EndShape;
   annotation (Documentation(info="<html>

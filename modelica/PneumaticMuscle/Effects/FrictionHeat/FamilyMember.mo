@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.FrictionHeat;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.Effect(final family="friction_heat", final balance="energy");
   extends Icons.FrictionHeat;
   annotation (Documentation(info="<html>

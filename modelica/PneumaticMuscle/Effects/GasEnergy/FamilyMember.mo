@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.GasEnergy;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.Effect(final family="gas_energy", final balance="energy");
   extends Icons.GasEnergy;
   annotation (Documentation(info="<html>

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.Leak;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.GasPortEffect(final family="leak");
   extends Icons.Leak;
   parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"

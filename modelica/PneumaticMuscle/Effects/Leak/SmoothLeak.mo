@@ -15,7 +15,7 @@ protected
   constant Types.Pressure p_reference = 1e5 "Pressure at which the law equals G p";
   Real q(unit="1") = (port.p - ambient.p)/p_reference "Gauge pressure by the reference";
   Real over(unit="1") "What drives the gas out, by the reference";
-  Real further(unit="1") "What the logarithm of the conductance gains besides";
+  Real further(unit="1") "Additional term of the logarithm of the conductance";
 equation
   port.m_flow = G*p_reference*Functions.curvedPower(over, a, b, 0.01)*exp(g*(q - 1) + further);
   port.H_flow = port.m_flow*Constants.cp*Functions.upstreamTemperature(port.p, ambient.p, port.T, ambient.T);

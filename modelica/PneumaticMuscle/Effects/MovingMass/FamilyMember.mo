@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.MovingMass;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.ForceEffect(final family="moving_mass");
   extends Icons.MovingMass;
   annotation (Documentation(info="<html>

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.MovingMass;
-model HangingMass "Parts of the rig hang on the muscle besides the load"
+model HangingMass "Parts of the rig that hang on the muscle in addition to the load"
   extends FamilyMember(final absent="m=0");
   parameter Types.Mass m(min=0, max=50, nominal=0.5) = 0.5 "Mass" annotation (Dialog(group="Effect"));
 equation

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.PositionSensor;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.Effect(final family="position_sensor", final balance="sensor");
   extends Icons.PositionSensor;
   annotation (Documentation(info="<html>

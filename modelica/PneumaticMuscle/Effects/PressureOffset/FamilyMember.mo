@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.PressureOffset;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.Effect(final family="pressure_offset", final balance="sensor");
   extends Icons.PressureOffset;
   annotation (Documentation(info="<html>

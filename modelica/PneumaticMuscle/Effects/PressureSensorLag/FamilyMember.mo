@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.PressureSensorLag;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.Effect(final family="pressure_sensor_lag", final balance="sensor");
   extends Icons.PressureSensorLag;
   annotation (Documentation(info="<html>

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.RateFriction;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.ForceEffect(final family="rate_friction");
   extends Icons.RateFriction;
   annotation (Documentation(info="<html>

@@ -10,7 +10,7 @@ equation
   annotation (defaultComponentName="damper", Documentation(info="<html>
 <p>f = gamma_F gamma_f eps_dot, gamma_F = a F, gamma_f = b f, with F the static load of the run and f the frequency of
 its excitation. Source: <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> (10)-(11). a and b stand
-only in their product, so no measurement can tell them apart: the product is one parameter here. It lies beside the
+only in their product, so no measurement can separate them: the product is one parameter here. It lies beside the
 friction that is there; where that has a constant coefficient c_v, DY put gamma_F gamma_f in its place, which is c_v =
 0. Typical 0.01 to 1 s2; DY print no value.</p>
 <p>Fingerprint: the loop of contraction by pressure widens with the load at the same frequency, and from run to run with

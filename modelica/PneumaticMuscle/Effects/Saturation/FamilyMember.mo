@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.Saturation;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.Effect(final family="saturation", final balance="sensor");
   extends Icons.Saturation;
   annotation (Documentation(info="<html>

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.SupplyLine;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.Effect(final family="supply_line", final balance="mass");
   extends Icons.SupplyLine;
   annotation (Documentation(info="<html>

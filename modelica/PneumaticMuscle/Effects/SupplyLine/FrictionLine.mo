@@ -26,8 +26,8 @@ equation
     annotation (Line(points={{50,0}, {100,0}}, color={0,90,160}));
   annotation (Documentation(info="<html>
 <p>m_flow = A sqrt((p_a^2 - p_b^2)/(R T)), isothermal turbulent flow through a long tube behind its volume.
-A = (pi d^2/4)/sqrt(f l/d) with Darcy's friction factor f, where the logarithm of the pressures is small beside f l/d.
-Source: isothermal flow in long ducts, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Shapiro 1953</a>.
+A = (pi d^2/4)/sqrt(f l/d) with Darcy's friction factor f, where the logarithm of the pressures is small compared with
+f l/d. Source: isothermal flow in long ducts, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Shapiro 1953</a>.
 Typical f 0.02 to 0.04: 2 m of 4 mm tube 3e-6 m2 and 25 mL. The volume at the muscle's end is
 <a href=\"modelica://PneumaticMuscle.Effects.DeadVolume\">DeadVolume</a>. What is vented reaches the valve at ambient
 temperature, so that no value of A and V quite gives the base law back.</p>

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.ThermocoupleLag;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.Effect(final family="thermocouple_lag", final balance="sensor");
   extends Icons.ThermocoupleLag;
   annotation (Documentation(info="<html>

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.ValveArea;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.Effect(final family="valve_area", final balance="mass");
   extends Icons.ValveArea;
   annotation (Documentation(info="<html>

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.ValveDynamics;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.Effect(final family="valve_dynamics", final balance="mass");
   extends Icons.ValveDynamics;
   annotation (Documentation(info="<html>

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Effects.WallHeat;
-partial model FamilyMember "What every member of the family says of itself"
+partial model FamilyMember "Statements of every member of the family"
   extends Interfaces.Effect(final family="wall_heat", final balance="energy");
   extends Icons.WallHeat;
   annotation (Documentation(info="<html>

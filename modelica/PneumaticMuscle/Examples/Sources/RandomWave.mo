@@ -15,7 +15,7 @@ equation
     + (high - low)/2*sum(weight[i]*sin(2*Constants.pi*part[i]*frequency*time + phase[i]) for i in 1:6)/5.2;
   annotation (Documentation(info="<html>
 <p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> section 2 drive the muscle with a random wave of
-pressure whose frequency they vary from 0.5 to 2 Hz; the course is not given. This one is the same in every run, has no
+pressure whose frequency they vary from 0.5 to 2 Hz; the signal is not given. This one is the same in every run, has no
 short period, and reverses at many levels, so that there are small loops inside the large one.</p>
 </html>"));
 end RandomWave;

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Examples;
-package Sources "Courses of input signals for examples"
+package Sources "Input signals over time for examples"
   extends Icons.Package;
   annotation (Documentation(info="<html>
 <p>Functions of time alone. Corners are rounded, because the models have no events.</p>

@@ -18,7 +18,7 @@ protected
 </html>"));
   end Kang;
   annotation (experiment(StopTime=10, Interval=0.005, Tolerance=1e-6), Documentation(info="<html>
-<p>The slides show hysteresis for two lengths and say that the course varies significantly with the frequency; neither
+<p>The slides show hysteresis for two lengths and say that the loop varies significantly with the frequency; neither
 lengths, loads, frequencies nor axes can be read from the text. Force
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">AM</a>, theoretical force equation 1 (1 cm, 23 degrees, q =
 1 + 3 exp(-2e-6 P)), friction Coulomb and viscous by the rate of strain,

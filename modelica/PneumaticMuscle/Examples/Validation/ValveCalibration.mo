@@ -9,7 +9,7 @@ model ValveCalibration "Flow and effective area of the valve by current at fifte
   output Real V_flow[15](each unit="m3/s") "The same as volume of ambient air";
   output Types.Area A[15] "Effective areas that (41) finds in the flows";
   output Types.Area A_choked[15] "The same if the flow is taken to be choked, N = 1";
-  output Types.Area A_gauge[15] "The same if besides the gauge pressure is taken for the absolute one";
+  output Types.Area A_gauge[15] "The same if in addition the gauge pressure is taken for the absolute one";
   inner Ambient ambient "Surroundings"
     annotation (Placement(transformation(extent={{-80,40},{-40,80}})));
   Pneumatics.Components.Supply supply[15](p_gauge=p_supply) "Air supplies"

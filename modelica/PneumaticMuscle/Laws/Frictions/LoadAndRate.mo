@@ -8,7 +8,7 @@ protected
   annotation (Documentation(info="<html>
 <p>F_hys = c_c sign(eps_dot) + gamma_F gamma_f eps_dot, gamma_F = a F, gamma_f = b f,
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a> (10)-(11). Frequency and load are constants of a
-run. a and b stand only in the product a b: no measurement can tell them apart, and a fit of both says so. Keep one of
+run. a and b stand only in the product a b: no measurement can separate them, and a fit of both says so. Keep one of
 them fixed, or use
 <a href=\"modelica://PneumaticMuscle.Effects.RateFriction.LoadFrequencyFriction\">LoadFrequencyFriction</a>,
 whose parameter is the product. DY give no values; these are for illustration.</p>

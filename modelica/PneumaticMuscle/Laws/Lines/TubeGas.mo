@@ -11,7 +11,7 @@ equation
   port.T = ambient.T;
   V*der(p) = Constants.R*ambient.T*port.m_flow;
   annotation (Documentation(info="<html>
-<p>V p_dot = R T_atm m_flow: the wall of a thin tube is large beside the gas in it and takes or gives whatever heat
-there is. The start is left to the line.</p>
+<p>V p_dot = R T_atm m_flow: the wall of a thin tube is large compared with the gas in it and exchanges all heat
+with it. The start is left to the line.</p>
 </html>"));
 end TubeGas;

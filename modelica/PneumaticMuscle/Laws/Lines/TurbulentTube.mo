@@ -12,7 +12,7 @@ equation
   m_flow = A*sqrt((port_a.p^2 + port_b.p^2)/(Constants.R*ambient.T))*z/(z^2 + z_laminar^2)^0.25;
   annotation (Documentation(info="<html>
 <p>m_flow = A sqrt((p_a^2 - p_b^2)/(R T_atm)) with A = (pi d^2/4)/sqrt(f l/d): isothermal flow with a constant friction
-factor f through a tube so long that f l/d is large beside the logarithm of the pressure ratio,
+factor f through a tube so long that f l/d is large compared with the logarithm of the pressure ratio,
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Shapiro 1953</a>. Rounded where the squared pressures
 differ by less than 0.1 %.</p>
 </html>"));

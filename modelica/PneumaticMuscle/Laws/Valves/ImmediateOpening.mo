@@ -1,5 +1,5 @@
 within PneumaticMuscle.Laws.Valves;
-model ImmediateOpening "The valves are open as far as their currents say, as DP assume"
+model ImmediateOpening "The valves open with their currents without delay, as DP assume"
   extends Interfaces.ValveOpening;
 equation
   A = A_set;

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Mechanics.Components;
-model Held "Holds a flange where the input says, at once"
+model Held "Ideal actuator: holds a flange at the position of the input"
   extends Icons.Motion;
   Interfaces.Flange flange "Held flange"
     annotation (Placement(transformation(extent={{-10,90},{10,110}})));

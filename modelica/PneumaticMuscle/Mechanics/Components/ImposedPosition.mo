@@ -1,5 +1,5 @@
 within PneumaticMuscle.Mechanics.Components;
-model ImposedPosition "Moves a flange to where the input says, through a fast critically damped filter"
+model ImposedPosition "Moves a flange to the position of the input, through a fast critically damped filter"
   extends Icons.Motion;
   Interfaces.Flange flange "Moved flange"
     annotation (Placement(transformation(extent={{-10,90},{10,110}})));

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Muscles.Data;
-record EmpiricalMuscleData "What DY section 2 says of a muscle"
+record EmpiricalMuscleData "Data of a muscle in DY, section 2"
   extends Icons.Record;
   parameter Types.Length L0 "Initial length of the muscle (L_o)" annotation (Dialog(group="Geometry"));
   annotation (Documentation(info="<html>

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Muscles.Data;
-record MuscleData "What DP Tables 1 and 2 say of a muscle; defaults are what the tables share"
+record MuscleData "Data of a muscle in DP, Tables 1 and 2; defaults are common to both tables"
   extends Icons.Record;
   parameter Types.Length L0 "Initial length of the muscle (L_o)" annotation (Dialog(group="Geometry"));
   parameter Types.Length D0 = 0.02 "Initial diameter of the muscle (D_ref)" annotation (Dialog(group="Geometry"));
