@@ -13,7 +13,6 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.headings import (
     AT_REST,
-    Heading,
     Headings,
     Meaning,
     is_count,
@@ -204,7 +203,7 @@ def _found(name: str, sources: Sequence[Source], headings: Headings) -> Recorded
     first = next(iter(places.values()))
     if any(column.unit != first.unit for column in places.values()):
         raise _two_units(name, places, sources)
-    reading = _reading(name, first.unit, [column.values for column in places.values()], headings)
+    reading = headings.read(name, first.unit)
     recorded = RecordedColumn(
         name,
         reading.unit,
@@ -233,16 +232,6 @@ def _found(name: str, sources: Sequence[Source], headings: Headings) -> Recorded
     if not reading.unit:
         return with_usual_unit(recorded, headings)
     return recorded if recorded.stated else recorded.because(f"unit {reading.unit} by its name")
-
-
-def _reading(name: str, unit: str, recorded: Sequence[Array], headings: Headings) -> Heading:
-    """The reading of a heading; a pressure that moves is not that of the atmosphere: ``p_atm`` has the unit atm."""
-    bare = re.sub(r"[\W_]+atm$", "", name, flags=re.IGNORECASE)
-    if bare != name and not all(map(_varies_little, recorded)):
-        reading = headings.read(bare, unit or "atm")
-        if reading.meaning is not None and reading.meaning.kind == "pressure":
-            return replace(reading, written=reading.written and bool(unit.strip()))
-    return headings.read(name, unit)
 
 
 def with_usual_unit(column: RecordedColumn, headings: Headings) -> RecordedColumn:

@@ -261,10 +261,10 @@ def _fit(draft: Draft) -> Iterator[str]:
         return
     yield "[fit]"
     if free:
-        what = "what lies in the wall of the muscle" if draft.points else "what is not calibrated"
+        what = "of the muscle's wall" if draft.points else "that are not calibrated"
         yield from _guessed(
             "",
-            f"free is {what}, which only a fit determines; bounds are the model's or near its values",
+            f"free are the parameters {what}: only a fit determines them; bounds are the model's or near its values",
         )
     for name, variable in free.items():
         yield f"{bounds(name, variable)}   {' '.join(remark(variable.description))}"

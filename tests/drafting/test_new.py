@@ -225,14 +225,6 @@ def test_what_is_around_the_rig_is_no_signal(tmp_path: Path, heads: str, rows: s
     assert {*run.inputs, *run.measurements} == {"p", "x"}
 
 
-def test_a_pressure_in_atmospheres_that_moves_is_the_muscles(tmp_path: Path) -> None:
-    rows = "".join(f"{0.1 * i:.1f};{min(i, 99) / 33};{min(i, 99) / 3:.2f}\n" for i in range(120))
-    (tmp_path / "a.csv").write_text("t [s];p_atm;x [mm]\n" + rows)
-    (run,) = pam.new(tmp_path / "rig", [tmp_path / "a.csv"]).data.runs
-    course = {**run.inputs, **run.measurements}["p"]
-    assert float(np.ptp(course)) == pytest.approx(3 * 101_325.0)
-
-
 def test_a_gauge_pressure_around_the_rig_is_none_of_the_atmosphere(tmp_path: Path) -> None:
     made = pam.new(tmp_path / "rig", [logged(tmp_path / "a.csv", "p_amb [kPa]", "0")])
     assert "ambient.p" not in made.data.runs[0].parameters
