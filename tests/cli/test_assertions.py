@@ -27,7 +27,7 @@ def test_the_command_ends_with_the_message(place: Path, command: Callable[..., O
     assert not (place / "out.csv").exists()
 
 
-def test_a_warning_is_told_once_and_the_run_goes_on(
+def test_a_warning_is_printed_once_and_the_run_continues(
     place: Path, command: Callable[..., Outcome]
 ) -> None:
     (place / "Rising.mo").write_text(MODEL)

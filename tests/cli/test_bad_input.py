@@ -79,7 +79,7 @@ def test_whole_command_in_its_own_process(
 
 @pytest.mark.parametrize("verb", COMMANDS)
 @pytest.mark.parametrize("target", ["nowhere", "data/one.csv", "."])
-def test_what_is_no_data_set(
+def test_a_folder_without_a_data_set_is_refused(
     command: Command, place: Path, data: Path, verb: str, target: str
 ) -> None:
     refused(command(verb, target), ["experiment.toml"])

@@ -38,7 +38,7 @@ end Short;
 """
 
 
-def test_it_says_what_parts_there_are(command: Callable[..., Outcome], place: Path) -> None:
+def test_it_lists_the_parts(command: Callable[..., Outcome], place: Path) -> None:
     (place / "Winder.mo").write_text(WINDER)
     said = done(command("bench --list")).out
     assert all(
@@ -49,7 +49,7 @@ def test_it_says_what_parts_there_are(command: Callable[..., Outcome], place: Pa
     assert "winder" in done(command("bench --list --file Winder.mo")).out
 
 
-def test_what_it_writes_is_simulated(command: Callable[..., Outcome], place: Path) -> None:
+def test_the_written_bench_is_simulated(command: Callable[..., Outcome], place: Path) -> None:
     words = (
         "--pneumatics",
         "regulator",

@@ -11,7 +11,7 @@ from tests.cli.conftest import Outcome, everything
 Command = Callable[..., Outcome]
 
 
-def test_it_says_what_the_data_can_tell_and_writes_it(
+def test_it_prints_and_writes_what_the_data_determine(
     command: Command, data: Path, place: Path
 ) -> None:
     result = command("check", data, "--json", "told.json", "--workers", "0")

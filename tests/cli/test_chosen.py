@@ -73,7 +73,7 @@ def test_parameters_of_an_effect_can_be_fitted(command: Command, data: Path, pla
         (["diagnose", "--exclude", "leak", "--expect", "leak"], "leak is both excluded"),
     ],
 )
-def test_what_cannot_be_chosen(
+def test_unknown_choices_are_refused(
     command: Command, data: Path, place: Path, words: list[str], said: str
 ) -> None:
     before = everything(place)

@@ -28,6 +28,6 @@ def test_a_table_is_checked_before_the_simulation(
     assert outcome.status == 2 and "no parameter 'orifice.q'" in outcome.err
 
 
-def test_a_note_of_several_runs_is_told_once() -> None:
+def test_a_note_of_several_runs_is_printed_once() -> None:
     runs = [replace(run(name, [0.0, 1.0]), notes=("it pauses", name)) for name in ("a", "b")]
     assert _notes(runs) == ["a, b: it pauses", "a: a", "b: b"]

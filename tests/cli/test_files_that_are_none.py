@@ -15,7 +15,9 @@ Command = Callable[..., Outcome]
 
 
 @pytest.mark.parametrize("content", [b"", b"{}", "a bomb", "an FMU cut off"], ids=str)
-def test_what_is_no_fmu_is_not_built(command: Command, place: Path, content: bytes | str) -> None:
+def test_an_invalid_fmu_name_is_refused(
+    command: Command, place: Path, content: bytes | str
+) -> None:
     source = place / "x.fmu"
     if content == "a bomb":
         with zipfile.ZipFile(source, "w", zipfile.ZIP_DEFLATED) as archive:

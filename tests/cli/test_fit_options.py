@@ -12,7 +12,7 @@ from tests.cli.conftest import Outcome
 Command = Callable[..., Outcome]
 
 
-def test_resumed_command_says_the_same(command: Command, data: Path, place: Path) -> None:
+def test_a_resumed_command_prints_the_same(command: Command, data: Path, place: Path) -> None:
     first = command("fit", data, "--resume", "fit.progress", "-o", "p.json")
     assert first.status == 0, first.err
     with sqlite3.connect(place / "fit.progress") as kept:  # as when a fit is killed early

@@ -33,7 +33,7 @@ def matlab(data: Path) -> str:
 
 
 @pytest.mark.parametrize("write", [logger, matlab])
-def test_compare_says_the_same(
+def test_compare_prints_the_same(
     command: Command, place: Path, data: Path, write: Callable[[Path], str]
 ) -> None:
     scores = []

@@ -83,7 +83,7 @@ def make(kind: str, path: Path) -> None:
     ["pipe", "socket", "device", "stream", "folder", "link to itself", "link into no folder"],
 )
 @pytest.mark.parametrize("writer", WRITERS)
-def test_what_is_no_file_is_refused_before_the_work(
+def test_an_invalid_output_file_is_refused_before_the_work(
     command: Command,
     place: Path,
     data: Path,

@@ -38,7 +38,7 @@ def impossible(measured: np.ndarray, modelled: np.ndarray, unit: str = "Pa") -> 
     return [doubt for doubt in every if doubt.kind == "impossible"]
 
 
-def test_a_pressure_below_a_vacuum_is_told() -> None:
+def test_a_pressure_below_vacuum_is_reported() -> None:
     (doubt,) = impossible(-PRESSURE, PRESSURE)
     assert "below -101 kPa, a vacuum" in doubt.text and "at 0 s of run-01" in doubt.text
     assert "the sign, the unit and the zero" in doubt.text
@@ -49,6 +49,6 @@ def test_noise_at_a_vacuum_and_differences_of_pressures_are_not() -> None:
     assert impossible(-PRESSURE, -PRESSURE) == []
 
 
-def test_a_temperature_below_zero_kelvin_is_told() -> None:
+def test_a_temperature_below_zero_kelvin_is_reported() -> None:
     (doubt,) = impossible(np.full_like(TIME, -20.0), np.full_like(TIME, 293.0), "K")
     assert "absolute zero" in doubt.text

@@ -82,7 +82,7 @@ def test_a_usual_mistake_is_named(measured: np.ndarray, words: str) -> None:
     assert "explains little" in doubt.text
 
 
-def test_absolute_pressure_is_named_beside_a_model_that_begins_with_it() -> None:
+def test_an_absolute_pressure_is_reported_if_the_model_begins_at_it() -> None:
     """The start is estimated from the same wrong reading, so that no constant is what the two differ by."""
     rest = 1e5 * np.clip(TIME - 2.0, 0.0, 2.0)
     modelled = np.maximum(rest, 101325.0 * np.exp(-TIME))
@@ -90,7 +90,7 @@ def test_absolute_pressure_is_named_beside_a_model_that_begins_with_it() -> None
     assert "absolute and gauge pressure mixed up" in doubt.text
 
 
-def test_a_sensor_that_is_not_connected_is_told() -> None:
+def test_a_disconnected_sensor_is_reported() -> None:
     (doubt,) = asked(compared(np.full_like(TIME, 3.0), PRESSURE))
     assert doubt.kind == "still" and "the sensor is not connected" in doubt.text
     assert asked(compared(np.full_like(TIME, 3.0), np.full_like(TIME, 4.0))) == []
@@ -114,7 +114,7 @@ def test_warnings_of_the_model_come_first_and_each_once() -> None:
     assert others and "warning" not in {doubt.kind for doubt in others}
 
 
-def test_a_copy_under_another_name_is_told() -> None:
+def test_a_copy_under_another_name_is_reported() -> None:
     measured = noisy(PRESSURE)
     one, other = compared(measured, PRESSURE), compared(measured, PRESSURE, name="run-02")
     (doubt,) = asked(one, other)
@@ -132,7 +132,7 @@ def test_a_large_error_without_a_simple_cause_waits_for_the_fit() -> None:
     assert "psi" in mended.text
 
 
-def test_a_measurement_that_never_passes_zero_where_the_model_does_is_told() -> None:
+def test_a_measurement_that_never_passes_zero_is_reported() -> None:
     """A muscle that cannot push, in a model that can."""
     force = 100 * np.sin(2 * np.pi * TIME / 5)
     every = asked(compared(np.maximum(force, 0.0), force), unit="N", sigma=0.1)
@@ -190,7 +190,7 @@ def test_runs_that_differ_in_more_than_one_thing_are_not_compared() -> None:
         (-100e3, 1.0, 10.0, "p: -100 kPa"),
     ],
 )
-def test_what_is_not_usual_in_the_field_is_named(
+def test_values_unusual_in_the_field_are_reported(
     lowest: float, current: float, duration: float, words: str
 ) -> None:
     """Only where it is so in every run."""

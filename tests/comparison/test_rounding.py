@@ -74,7 +74,7 @@ def test_the_right_model_leaves_noise_whatever_it_does(steps: float, seed: int) 
 
 
 @pytest.mark.parametrize("steps", [3.0, 10.0])
-def test_holds_are_no_structure_and_half_a_step_beside_is(steps: float) -> None:
+def test_holds_are_no_structure_and_an_offset_of_half_a_step_is(steps: float) -> None:
     excess = []
     for course in (holds(steps, 1, 40), holds(steps, 2, 4)):
         one, signal = run("r", TIME, x=readings(course, steps)), coarse(steps)

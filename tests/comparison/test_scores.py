@@ -117,7 +117,7 @@ def test_start_time_rule() -> None:
         assert (simulator.calls[-1]["inputs"] is None) == (begin == 0.0)
 
 
-def test_what_is_known_of_a_run_overrules_fitted_values() -> None:
+def test_stated_values_of_a_run_override_fitted_values() -> None:
     simulator = FakeSimulator(lambda t, q: {"p": np.full(len(t), q["m"] + q["c"]), "x": t})
     runs = [run("a", TIME, p=[3.0] * 4, parameters={"m": 2.0}), run("b", TIME, p=[3.0] * 4)]
     comparison = compare(simulator, data_set(runs, {"p": 1.0}), {"m": 7.0, "c": 1.0})

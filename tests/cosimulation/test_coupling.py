@@ -308,7 +308,7 @@ def test_loop_of_any_size(tmp_path: Path, up: str, down: str, solution: float) -
     np.testing.assert_allclose(run.trajectory["a.y"], solution, rtol=1e-9, atol=1e-16)
 
 
-def test_loop_without_solution_says_so(tmp_path: Path) -> None:
+def test_a_loop_without_solution_is_reported(tmp_path: Path) -> None:
     parts = {"a": gain(tmp_path, "Same", 1, 1), "b": gain(tmp_path, "Back", 1)}
     system = pam.couple(parts, ["a.y -> b.u", "b.y -> a.u"])
     with pytest.raises(CouplingFailure, match="has no solution that Newton's method finds"):

@@ -299,7 +299,7 @@ def test_python_controllers_are_not_written(tmp_path: Path) -> None:
 # --- TOML ----------------------------------------------------------------------------------------------------
 
 
-def test_toml_names_files_beside_it(tmp_path: Path) -> None:
+def test_toml_names_files_of_its_folder(tmp_path: Path) -> None:
     chain(tmp_path)
     file = tmp_path / "system.toml"
     file.write_text(

@@ -18,7 +18,7 @@ _PNG = b"\x89PNG"
 
 
 @pytest.mark.parametrize("fmi", ["2.0", pytest.param("3.0", marks=pytest.mark.full)])
-def test_a_built_fmu_tells_who_made_it_and_what_it_is(fmi: str) -> None:
+def test_a_built_fmu_states_its_author_and_model(fmi: str) -> None:
     path = pam.build("CoSimulation.ValveAndGas", fmi=fmi)
     assert validate_fmu(str(path)) == []
     with zipfile.ZipFile(path) as archive:

@@ -65,7 +65,7 @@ def test_a_start_value_that_is_set_is_a_guess(kind: str, fmi: str) -> None:
     assert at_start("Guess", fmi, kind, u=27.0, tank__p=2.0).tolist()[0][1:] == (2.0, 0.0, 0.0)
 
 
-def test_this_projects_own_runs_begin_where_they_are_told() -> None:
+def test_runs_of_this_projects_fmus_begin_at_stated_values() -> None:
     with Simulator(fmu("Steady")) as simulator:
         run = simulator.run([0.0], parameters={"tank.p": 1.5}, outputs=["tank.p", "tank.q[1]"])
         assert (run["tank.p"][0], run["tank.q[1]"][0]) == (1.5, pytest.approx(1.5))

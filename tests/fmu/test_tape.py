@@ -115,7 +115,7 @@ def test_sensitivities_are_the_same(both: Both) -> None:
     assert all(np.array_equal(outcomes[0][name], outcomes[1][name]) for name in outcomes[1])
 
 
-def test_it_says_what_the_model_states_of_itself(both: Both) -> None:
+def test_assertions_of_the_model_are_reported(both: Both) -> None:
     said = []
     for path in both(warning_lag()):
         with Simulator(path) as simulator:

@@ -46,7 +46,7 @@ def test_display_units(display: str, unit: str, value: float, shown: float) -> N
 
 
 @pytest.mark.parametrize("text", ["", "N*m", "m/s/s", "kg/m.s", "wibble", "m^2", "(m"])
-def test_what_is_no_unit_is_named(text: str) -> None:
+def test_an_unknown_unit_is_named(text: str) -> None:
     with pytest.raises(UnitError, match="unit"):
         base_unit(text)
 

@@ -201,7 +201,7 @@ def test_bad_input() -> None:
 
 
 @pytest.mark.parametrize("known", [True, False], ids=["known", "fitted by itself"])
-def test_what_is_known_of_a_run_stays(known: bool) -> None:
+def test_stated_values_of_a_run_are_kept(known: bool) -> None:
     """The value that runs share was written into all of them."""
     model = Path(__file__).parents[1] / "fitting" / "Decay.mo"
     time, rng, runs = np.linspace(0.0, 1.0, 101), np.random.default_rng(0), []

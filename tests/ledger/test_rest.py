@@ -23,7 +23,7 @@ end Begun;
 """
 
 
-def test_runs_begin_at_rest_and_where_they_are_told(tmp_path: Path) -> None:
+def test_runs_begin_at_rest_and_at_stated_values(tmp_path: Path) -> None:
     file = tmp_path / "Begun.mo"
     file.write_text(TEXT)
     ode = compile_model(str(file))

@@ -123,7 +123,7 @@ def _change(effect: EffectClass, bench: str) -> float:
 
 
 @every_effect
-def test_vanishes_where_it_says_so(effect: EffectClass) -> None:
+def test_vanishes_at_its_stated_values(effect: EffectClass) -> None:
     if not effect.absent:
         said = " ".join(effect.documentation.split())
         assert re.search("[Nn]o (value|set of values)[^.]* gives the base law back", said), (
@@ -135,7 +135,7 @@ def test_vanishes_where_it_says_so(effect: EffectClass) -> None:
 
 @pytest.mark.full
 @every_effect
-def test_vanishes_where_it_says_so_on_other_benches(effect: EffectClass) -> None:
+def test_vanishes_at_its_stated_values_on_other_benches(effect: EffectClass) -> None:
     for bench, composition in homes(effect.name).items():
         if effect.absent and not (bench.endswith(OTHER_LAWS) and "redeclare" in composition.text):
             _vanish(effect, bench)

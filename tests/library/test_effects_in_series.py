@@ -80,7 +80,7 @@ def test_six_effects_are_added_with_values_and_more_to_their_file(tmp_path: Path
         (["LoadFrequencyFriction"], "Isotonic has no place for LoadFrequencyFriction;"),
     ],
 )
-def test_what_finds_no_place_is_named_with_what_excludes_it(effects: list[str], said: str) -> None:
+def test_an_effect_without_a_place_is_named_with_its_rival(effects: list[str], said: str) -> None:
     with pytest.raises(InputError, match=re.escape(said)):
         compose(tree(), BENCH, effects)
     if len(effects) > 1:  # what the message says to do

@@ -310,7 +310,7 @@ def test_a_fault_of_an_instrument_finds_no_place_where_it_is_not_read() -> None:
     )
 
 
-def test_an_effect_lies_beside_each_muscle_of_a_pair() -> None:
+def test_an_effect_is_connected_to_each_muscle_of_a_pair() -> None:
     file = written(rig("regulator", "antagonistic-pair"))
     composed = compose_on(read_library(files=[file]), read_structure(str(file)), ["LinearBladder"])
     assert (

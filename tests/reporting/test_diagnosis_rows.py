@@ -22,7 +22,7 @@ def test_a_candidate_is_listed_with_both_chi_squares() -> None:
     assert (row["chi2"], row["holdout"], row["added"]) == ("1.25", "4.50", False)
 
 
-def test_errors_stand_beside_the_noise_of_their_signals() -> None:
+def test_errors_are_printed_with_the_noise_of_their_signals() -> None:
     rows = summary_rows(make_diagnosis("identified"))
     noise = {(row["role"], row["name"]): row["noise"].replace("\u00a0", " ") for row in rows}
     expected = {"p": "0.500 kPa", "x": "0.200 mm", "T": "0.300 K"}
@@ -51,7 +51,7 @@ def _fit(chi2: dict[str, float]) -> Any:
         (None, "worst is 10 N"),
     ],
 )
-def test_the_error_told_is_of_the_signal_that_gains_most(
+def test_the_printed_error_is_of_the_signal_that_gains_most(
     after: dict[str, float] | None, named: str
 ) -> None:
     """Not of the worst one, unless nothing was added, nor of the largest ratio, nor of one that was not fitted."""

@@ -37,7 +37,7 @@ def test_shares_and_panels() -> None:
     assert "missing force [N]" in labels and "p_gauge [kPa]" in labels
 
 
-def test_the_field_says_what_a_term_is_drawn_against() -> None:
+def test_the_domain_determines_the_axes_of_a_term() -> None:
     with drawing():
         axes = ledger_figure(_ledger()).axes
         plain = ledger_figure(

@@ -123,9 +123,7 @@ def test_letters_that_no_font_has_are_replaced_by_plain_ones() -> None:
 @pytest.mark.parametrize(
     ("ending", "begins"), [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")]
 )
-def test_a_picture_is_of_the_kind_that_its_name_says(
-    tmp_path: Path, ending: str, begins: bytes
-) -> None:
+def test_a_picture_has_the_format_of_its_name(tmp_path: Path, ending: str, begins: bytes) -> None:
     for name in ("a", "b"):
         draw(make_comparison(make_data(("fit",), 40), 3.0), tmp_path / f"{name}.{ending}", "88 mm")
     content = (tmp_path / f"a.{ending}").read_bytes()

@@ -95,7 +95,7 @@ def test_a_window_that_is_behind_gets_the_newest_curves_alone() -> None:
     assert model == 49 and sent[1:] == [f"scores {version}" for version in range(50)]
 
 
-def test_times_of_a_clock_that_began_long_ago_are_told_apart(shared: Session) -> None:
+def test_times_of_a_clock_that_began_long_ago_are_distinguished(shared: Session) -> None:
     """As seconds since 1970, which 32 bits hold to two minutes."""
     data = shared.state.data
     runs = [replace(run, time=run.time + CLOCK) for run in data.runs]
