@@ -108,7 +108,7 @@ WRONG: dict[str, tuple[str, list[str], list[str]]] = {
     "dates": (
         "Datum,p [kPa],x [mm]\n" + "2024-02-01,1,2\n" * 5,
         [],
-        ["no column", "p_set"],
+        ["neither a column", "p_set"],
     ),
     "gap": (GOOD.replace("1.00,100", "1.00,"), [], ["a.csv:102", "column 'p'", "empty"]),
     "nobody knows": (
