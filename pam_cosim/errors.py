@@ -42,5 +42,9 @@ class ModelError(InputError):
     """A Modelica model cannot be compiled; the message names the class or variables at fault."""
 
 
+class ModelChange(InputError):
+    """A Modelica file was changed while models were made of it: what was made before and after does not compare."""
+
+
 class SimulationFailure(RuntimeError):
     """A run did not reach its end: the solver gave up or the FMU reported an error."""

@@ -15,7 +15,7 @@ from pam_cosim.compiler import (
     smooth_parameters,
     with_sensitivities,
 )
-from pam_cosim.errors import InputError
+from pam_cosim.errors import InputError, ModelChange
 from pam_cosim.files import check_regular
 from pam_cosim.fmu.build import (
     cached_description,
@@ -102,7 +102,7 @@ def _recipe(
     def compiled() -> Ode:
         ode = compile_model(model, files=files)
         if flat_hash(model, files=files) != key:
-            raise InputError("a Modelica file changed since this began: begin again", model)
+            raise ModelChange("a Modelica file changed since this began: begin again", model)
         return ode
 
     def make() -> Ode:

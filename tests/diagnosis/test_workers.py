@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
 
 import numpy as np
 import pytest
 from threadpoolctl import threadpool_info, threadpool_limits
 
+from pam_cosim.diagnosis.search.trial import Trial, attempted
+from pam_cosim.errors import ModelChange
 from pam_cosim.processes.workers import on_one_thread, run_tasks
 from tests.diagnosis.tasks import process_beside_another, slow_square, square_or_die
 
@@ -53,3 +57,17 @@ def test_linear_algebra_keeps_to_one_thread_and_is_given_back_the_others() -> No
         before = threads()
         assert set(on_one_thread(threads)()) == {1}
         assert threads() == before
+
+
+def test_a_model_that_changes_ends_the_study(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Effects that could not be built any more counted as tried, and the verdict named what was left."""
+
+    def changed(*arguments: object, **options: object) -> None:
+        raise ModelChange("a Modelica file changed since this began: begin again")
+
+    monkeypatch.setattr("pam_cosim.diagnosis.search.trial.build_source", changed)
+    composition = SimpleNamespace(parameters={}, text="", name="Rig")
+    data = SimpleNamespace(differentiated=(), fit_runs=())
+    trial = cast(Trial, SimpleNamespace(composition=composition, data=data, files=(), library=""))
+    with pytest.raises(ModelChange):
+        attempted(trial, lambda *_: None, brief=True)

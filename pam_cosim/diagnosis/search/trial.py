@@ -17,7 +17,7 @@ from pam_cosim.diagnosis.judgement.candidate import Attempt, Candidate, FailedTr
 from pam_cosim.diagnosis.search.probing import EffectProbe, StatedEffect, Strengths, probe_effect
 from pam_cosim.diagnosis.search.pruning import pruned
 from pam_cosim.diagnosis.search.reach import idle_parameters, moves_only_unmeasured
-from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.errors import InputError, ModelChange, SimulationFailure
 from pam_cosim.fitting import (
     Fit,
     FitOptions,
@@ -176,6 +176,8 @@ def attempted(
         with Simulator(fmu) as simulator:
             simulator.limit = CRITERIA.search.longest_run
             return work(trial, simulator)
+    except ModelChange:
+        raise
     except (SimulationFailure, InputError) as problem:
         return trial.failed(str(problem))
     except (
