@@ -29,7 +29,13 @@ OPEN = {"u_in": 0.3, "u_out": 0.2}
 # At rest the valves of these are as they were told before: a run of their default that settles begins with them shut.
 LATE = {"ValveDelay", "FlexibleDrive", "FlexibleOpening", "GeneralDrive"}
 # What slipped before is not known from the rest.
-ANYWHERE = {"DahlFriction", "FlexibleDryFriction", "GeneralDryFriction", "MaxwellSlipFriction"}
+ANYWHERE = {
+    "DahlFriction",
+    "FlexibleDryFriction",
+    "GeneralDryFriction",
+    "MaxwellSlipFriction",
+    "PressureDryFriction",
+}
 AS_EQUAL = 1e-8  # of a signal
 
 
