@@ -77,7 +77,7 @@ class EffectSheet(Printed):
 
     Attributes:
         effect: as its class declares it.
-        equations: of its class and of the effects that it extends, a line each.
+        equations: of its class and of what it extends, a line each, as of ``equations``.
         paragraphs: of its documentation, as plain text.
         parameters: those that a diagnosis fits.
         benches: names of the benches that have a place for it.
@@ -151,9 +151,15 @@ def effect_sheet(
 
 
 def equations(tree: ClassTree, effect: EffectClass) -> tuple[str, ...]:
-    """The equations of an effect and of the effects that it extends, a line each: of its variables, then as written."""
+    """The equations of an effect, a line each: of its variables, then as written.
+
+    With those of the effects that it extends, and of the other bases in its package.
+    """
     classes = [effect.qualified_name, *tree.bases(effect.qualified_name)]
-    effect_bases = [c for c in reversed(classes) if is_effect([c, *tree.bases(c)])]
+    package = names.parent(effect.qualified_name)
+    effect_bases = [
+        c for c in reversed(classes) if names.parent(c) == package or is_effect([c, *tree.bases(c)])
+    ]
     lines = [
         f"{c.name} = {c.value};"
         for c in tree.components(effect.qualified_name)

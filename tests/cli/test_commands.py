@@ -215,6 +215,8 @@ def test_effects_shows_one_in_full_and_a_family(command: Command, place: Path) -
     assert creep["parameters"]["tau"]["at_max"] == "LinearBladder" and creep["absent"] == {"k": 0}
     assert creep["fingerprint"].startswith("after a fast change")
     assert "s = 8*x/L0 - 1;" in done(command("effects FlexibleBladder")).out
+    gas = done(command("effects EnergyGas")).out  # with what its family shares
+    assert "p*V = m*Constants.R*T;" in gas and "h_wall = h;" in gas
     neck = done(command("effects ResonantVolume")).out  # with what it inherits
     assert "p_s*V = m*Constants.R*T_s;" in neck and "G = 1e-08 [kg/(s.Pa)], 1e-10 to" in neck
     ceiling = done(command("effects PositionCeiling")).out

@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model ConvectiveGas "Mass and energy balance, with heat exchange that grows with the flow"
-  extends Interfaces.BalancedGas;
+  extends BalancedGas;
   extends FamilyMember;
   parameter Types.CoefficientOfHeatTransfer h_0(min=0.01, max=500, nominal=10) = 5 "Film coefficient of gas at rest"
     annotation (Dialog(group="Effect"));

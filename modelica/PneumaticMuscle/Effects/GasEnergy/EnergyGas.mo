@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model EnergyGas "Pressure and temperature from mass and energy, with heat exchange to the wall"
-  extends Interfaces.BalancedGas;
+  extends BalancedGas;
   extends FamilyMember;
   parameter Types.CoefficientOfHeatTransfer h(min=0.01, max=500, nominal=10) = 10 "Film coefficient at the wall"
     annotation (Dialog(group="Effect"));

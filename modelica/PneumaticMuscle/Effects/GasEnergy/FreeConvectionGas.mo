@@ -1,6 +1,6 @@
 within PneumaticMuscle.Effects.GasEnergy;
 model FreeConvectionGas "Mass and energy balance, with heat exchange by free convection"
-  extends Interfaces.BalancedGas;
+  extends BalancedGas;
   extends FamilyMember;
   parameter Real c(unit="1", min=1e-3, max=10, nominal=0.1) = 0.13
     "Nusselt number by the third root of the Rayleigh number"
