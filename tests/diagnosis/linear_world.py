@@ -148,6 +148,12 @@ class LinearWorld(Search):
         needed = (e for e in strongest if abs(c.fit.values[f"{e}.strength"]) > _NEEDED)
         return FitRequest(tuple(needed), c.fit.values)
 
+    def without_others(self, c: Candidate, kept: Sequence[str]) -> FitRequest:
+        return FitRequest(tuple(kept), c.fit.values)
+
+    def in_order(self, c: Candidate, effects: Sequence[str]) -> Candidate:
+        return replace(self.candidate(tuple(effects)), fit=c.fit, brief=c.brief)
+
     def by_need(self, c: Candidate) -> tuple[str, ...]:
         return tuple(sorted(c.effects, key=lambda e: -abs(c.fit.values[f"{e}.strength"])))
 

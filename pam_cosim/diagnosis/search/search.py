@@ -239,8 +239,11 @@ class Search:
 
     def fit_final(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate | None:
         """The model with just these effects, the last of them without what it does not need; None: it breaks down."""
+        options = {
+            "rows": CRITERIA.search.rows, "screened_starts": 0, "holdout_uncertainty": True
+        }  # fmt: skip
         trials = [
-            replace(t.fitted_with(screened_starts=0, holdout_uncertainty=True), prune=True)
+            replace(t.fitted_with(**options), prune=True)
             for t in self._trials([FitRequest(tuple(effects), start)])
         ]
         return next(iter(self._run("to the end", trials)), None)
@@ -274,13 +277,27 @@ class Search:
 
     def reduced(self, c: Candidate, most: int) -> FitRequest:
         """A fitted model with the effects that the data need, so many at most, and its values, to first order."""
-        start = c.fit.values_and_starts
         if c.fit.linear is None:
-            return FitRequest(c.effects, start)
-        names, absent, misfit = self._absence(c)
-        needed = needed_effects(c.fit.linear, names, absent, misfit, self.price, most)
-        fixed = left_out(needed, names, c.fit.values, absent)
-        return FitRequest(needed, start, fitted_with(c.fit.linear, fixed)[0])
+            return self.without_others(c, c.effects)
+        needed = needed_effects(c.fit.linear, *self._absence(c), self.price, most)
+        return self.without_others(c, needed)
+
+    def without_others(self, c: Candidate, kept: Sequence[str]) -> FitRequest:
+        """A fitted model with some of its effects only, and its values then, to first order."""
+        request = FitRequest(tuple(kept), c.fit.values_and_starts)
+        if c.fit.linear is None:
+            return request
+        names, absent, _ = self._absence(c)
+        fixed = left_out(kept, names, c.fit.values, absent)
+        return replace(request, second_start=fitted_with(c.fit.linear, fixed)[0])
+
+    def in_order(self, c: Candidate, effects: Sequence[str]) -> Candidate | None:
+        """A fitted model as if its effects had been added in this order; None: it would be another model then."""
+        for trial in self._trials([FitRequest(tuple(effects), {})]):
+            names = [n for e in effects for n in trial.composition.parameters[e]]
+            if c.fit.parameters.keys() >= {*names}:
+                return replace(trial.candidate(c.fit), brief=c.brief)
+        return None
 
     def by_need(self, c: Candidate) -> tuple[str, ...]:
         """The effects of a fitted model, those that are left out last first, to first order."""

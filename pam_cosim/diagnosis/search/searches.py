@@ -52,7 +52,8 @@ def one_by_one(
 ) -> list[Candidate]:
     """A model's effects, added one after another, each with its evidence beside the model before.
 
-    The model itself to the end; what leads there in a few steps, which is enough to show how the error falls.
+    The model itself is fitted to the end; what leads there in a few steps, from the model with one effect more, which
+    is enough to show how the error falls.
 
     Args:
         search: with the data.
@@ -62,20 +63,32 @@ def one_by_one(
         fitted: models that were fitted, by their effects; what is fitted here is added.
     """
     models: list[Candidate] = []
-    for k in range(1, len(effects) + 1):
-        names, last = tuple(effects[:k]), k == len(effects)
-        before = models[-1].fit if models else base
-        model = fitted.get(names)
-        if last and (model is None or model.brief or model.general):
+    for count in range(len(effects), 0, -1):
+        names = tuple(effects[:count])
+        model = _in_order(search, names, fitted)
+        if count == len(effects) and (model is None or model.brief or model.general):
             model = search.fit_final(names, start)
         elif model is None:
-            # without the further effects the parameters are nearer to those of the model before
-            nearest = {**start, **before.values_and_starts}
-            model = next(iter(search.fit_briefly([FitRequest(names, nearest, start)])), None)
+            request = (
+                search.without_others(models[-1], names) if models else FitRequest(names, start)
+            )
+            model = next(iter(search.fit_briefly([request])), None)
         if model is not None:
             fitted[names] = model
-            models += rank(before, [model])
-    return models
+            models.append(model)
+    ranked: list[Candidate] = []
+    for model in reversed(models):
+        ranked += rank(ranked[-1].fit if ranked else base, [model])
+    return ranked
+
+
+def _in_order(
+    search: Search, names: tuple[str, ...], fitted: Mapping[tuple[str, ...], Candidate]
+) -> Candidate | None:
+    """The model with these effects that was fitted, in whichever order they were added; None: there is none."""
+    same = [c for effects, c in fitted.items() if frozenset(effects) == frozenset(names)]
+    best = min(same, key=lambda c: (c.brief, c.fit.chi2_minimised), default=None)
+    return best if best is None or best.effects == names else search.in_order(best, names)
 
 
 def with_effects(result: SearchResult, effects: Sequence[str]) -> SearchResult:

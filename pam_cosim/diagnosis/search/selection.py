@@ -2,9 +2,9 @@
 
 One number orders all models (``diagnosis.ranking``): the information criterion, of a model that was fitted as it is, of
 one that was not, or not to the end, as far as linear algebra predicts it (``diagnosis.predicted_evidence``). Single
-effects are tried first. Where the best of them leaves structure, models with a member of every family supply
-further sets of effects (``diagnosis.full_model``). From the best of both, single effects are exchanged for others of
-their family, left out and added, until none of it pays.
+effects are tried first, to the end where one may be enough. Where the best of them leaves structure, models with a
+member of every family supply further sets of effects (``diagnosis.full_model``). From the best of both, single effects
+are exchanged for others of their family, left out and added, until none of it pays.
 """
 
 from __future__ import annotations
@@ -43,9 +43,11 @@ def select_effects(search: Search, base: Fit) -> SearchResult:
     models = _Models(search, base)
     models.probe()
     models.try_single(CRITERIA.search.first_tried)
-    models.improve(1)
+    if models.one_may_be_enough():
+        models.improve(1)
     if models.ranking.unsolved() or models.has_general_answer():
         models.try_full_models()
+    models.improve(1)
     models.refine()
     path = tuple(models.path())
     return models.result(
@@ -140,6 +142,11 @@ class _Models:
                 [self.predicted.fit_request(e) for e in self.predicted.most_promising(count)]
             )
         )
+
+    def one_may_be_enough(self) -> bool:
+        """Whether a few steps bring a model with one effect near the noise."""
+        far = CRITERIA.residuals.far_above
+        return any(c.fit.residuals["fit"].chi2_reduced < far for c in self.fitted.values())
 
     def _is_effort_spent(self, chosen: Sequence[tuple[str, ...]]) -> bool:
         """Whether the effort is spent; then what would have come next is noted."""
@@ -330,7 +337,7 @@ class _Models:
         small = [c for c in less if not self.ranking.matters(best, c, 2.0)]
         self._finish_within_effort([c for c in small if c.brief])
         nearest = self._best_of(sets)
-        if nearest is not None and (few or small):  # other members may say what they do not
+        if nearest is not None and few:  # other members may say what they do not
             self._exchange_members(nearest)
         self._finish_promising(nearest or best)
 
