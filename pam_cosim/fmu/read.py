@@ -10,12 +10,11 @@ import zlib
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
 from pathlib import Path
-from typing import Any
-from xml.etree.ElementTree import iterparse
+from typing import Any, NamedTuple
+from xml.parsers import expat
 
 import fmpy
 from fmpy.model_description import ModelDescription, ValidationError
@@ -46,6 +45,8 @@ DAMAGED = (
 TABLES = "tape.json"  # in the folder of a model as data
 TOOL = "pam-cosim"  # in the attribute of the tool that made an FMU
 _DESCRIPTION = "modelDescription.xml"
+# Attributes of FMI 2.0 that hold numbers of variables, by element.
+_INDICES = {"Unknown": ("index", "dependencies"), "Real": ("derivative",)}
 _LONGEST_NAME, _LONGEST_PART = (
     1000,
     200,
@@ -180,23 +181,27 @@ def _check_version_and_indices(path: Path) -> None:
     Raises:
         InputError: a version that it reads otherwise, or not at all; an index of no variable.
     """
+    version, count, indices = "", 0, list[str]()
+
+    def begin(tag: str, attributes: dict[str, str]) -> None:
+        nonlocal version, count
+        if not version:
+            version = str(attributes.get("fmiVersion"))
+            if version[:2] not in ("2.", "3."):
+                raise InputError(
+                    f"an FMU of FMI 2.0 or 3.0 is needed; this is FMI {shown(version)}", path
+                )
+        count += tag == "ScalarVariable"
+        for key in _INDICES.get(tag, ()) if version[0] == "2" else ():
+            indices.extend(attributes.get(key, "").split())
+
+    parser = expat.ParserCreate(namespace_separator="}")
+    parser.StartElementHandler = begin
     with ExitStack() as opened:
         folder = (
             path if path.is_dir() else zipfile.Path(opened.enter_context(zipfile.ZipFile(path)))
         )
-        file = opened.enter_context((folder / _DESCRIPTION).open("rb"))
-        elements = (element for _, element in iterparse(file, ("start",)))
-        version = str(next(elements).get("fmiVersion"))
-        if version[:2] not in ("2.", "3."):
-            raise InputError(
-                f"an FMU of FMI 2.0 or 3.0 is needed; this is FMI {shown(version)}", path
-            )
-        count, indices = 0, list[str]()
-        for element in elements:
-            count += element.tag == "ScalarVariable"
-            places = {"Unknown": ("index", "dependencies"), "Real": ("derivative",)}
-            for key in places.get(element.tag, ()) if version[0] == "2" else ():
-                indices += element.get(key, "").split()
+        parser.ParseFile(opened.enter_context((folder / _DESCRIPTION).open("rb")))
     for index in indices:
         if not (index.isdecimal() and 1 <= int(index[:20]) <= count):
             raise InputError(f"the index {shown(index)} is of none of {count} variables", path)
@@ -273,8 +278,7 @@ def fmi_version(description: ModelDescription) -> str:
     return ".".join(str(description.fmiVersion).split("-")[0].split(".")[:2])
 
 
-@dataclass(frozen=True)
-class Slot:
+class Slot(NamedTuple):
     """Where the value of a variable is in an FMU: an array has one value reference for all its elements.
 
     Attributes:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from fmpy.fmi2 import (
@@ -95,8 +94,7 @@ class Callbacks:
         return [printable(line) for line in text.splitlines() if line.strip()]
 
 
-@dataclass(frozen=True)
-class RunProgress:
+class RunProgress(NamedTuple):
     """Of a run that has not ended.
 
     Attributes:
@@ -124,8 +122,7 @@ class Outcome:
         self.values, self.time, self.failed, self.ended = values, time, failed, ended
 
 
-@dataclass(frozen=True)
-class Request:
+class Request(NamedTuple):
     """A request for a simulation by a driver.
 
     Attributes:

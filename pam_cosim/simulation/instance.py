@@ -5,8 +5,11 @@ from __future__ import annotations
 import os
 import shutil
 import zipfile
+from ctypes import c_char_p, c_int
+from functools import cache
 from pathlib import Path
-from typing import Any, TypeAlias
+from types import UnionType
+from typing import Any, TypeAlias, get_args
 
 import fmpy
 from fmpy.fmi2 import FMU2Model, FMU2Slave
@@ -25,25 +28,31 @@ Instance: TypeAlias = (
 )
 
 
+_Prototypes: TypeAlias = dict[str, tuple[list[str], list[Any], Any]]
+
+
 class _TypedOnce:
     """FMPy reads the types of FMI functions from its own signatures for each library; once for a class will do."""
 
     def _loadFunctions(self: Any) -> None:
-        kind = type(self)
-        if kind not in _PROTOTYPES:
-            super()._loadFunctions()  # type: ignore[misc]
-            _PROTOTYPES[kind] = {
-                name: (f.argnames, f.argtypes, f.restype) for name, f in self._functions.items()
-            }
-            return
-        for name, (argnames, argtypes, restype) in _PROTOTYPES[kind].items():
+        for name, (argnames, argtypes, restype) in _prototypes(type(self)).items():
             function = getattr(self.dll, name)
             function.argnames, function.argtypes = argnames, argtypes
             function.restype = restype
             self._functions[name] = function
 
 
-_PROTOTYPES: dict[type, dict[str, tuple[list[str], list[Any], Any]]] = {}
+@cache
+def _prototypes(kind: type) -> _Prototypes:
+    """As FMPy has them: names and types of arguments, and the type of the result, of the annotations of its methods."""
+    found: _Prototypes = {}
+    for name in dir(kind):
+        if name.startswith(("fmi2", "fmi3")):
+            types = dict(getattr(kind, name).__annotations__)
+            result = types.pop("return")
+            arguments = [get_args(t)[0] if isinstance(t, UnionType) else t for t in types.values()]
+            found[name] = [*types], arguments, {bytes: c_char_p, int: c_int}.get(result, result)
+    return found
 
 
 # By major version of FMI, and whether it is for model exchange.

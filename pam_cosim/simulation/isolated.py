@@ -14,8 +14,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import read_description, read_interface
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation.driver import Settle
-from pam_cosim.simulation.failure import RunFailure
-from pam_cosim.simulation.fmu_process import EXCHANGE, FmuProcess, ProcessFailure
+from pam_cosim.simulation.failure import ProcessFailure, RunFailure
 from pam_cosim.simulation.inputs import Inputs
 from pam_cosim.simulation.stepper import Stepper
 from pam_cosim.simulation.trajectory import Trajectory
@@ -52,6 +51,8 @@ class IsolatedSimulator:
         self._longest = None if timeout is None else self.timeout
         self.interface: Interface = read_interface(self.path)
         self._settles: bool | None = None
+        from pam_cosim.simulation.fmu_process import EXCHANGE, FmuProcess
+
         self._process = FmuProcess(self.path, self.timeout)
         self._exchange = FmuProcess(self.path, self.timeout, EXCHANGE)
 

@@ -7,9 +7,8 @@ import math
 import shutil
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 import numpy as np
 from fmpy.fmi1 import FMICallException
@@ -56,8 +55,7 @@ _OTHER_TOOLS = "FMUs of other tools do not find"
 _REMEDY = "look at the values of its parameters, or give it a longer time limit (--timeout)"
 
 
-@dataclass(frozen=True)
-class SolverStatistics:
+class SolverStatistics(NamedTuple):
     """Work of the solver since the start of the last run."""
 
     steps: int
