@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from fmpy.model_description import ModelDescription
+from pam_cosim.fmu.description_file import ModelDescription
 
 
 class Abilities(NamedTuple):
@@ -26,9 +26,10 @@ class Abilities(NamedTuple):
 def abilities_of(description: ModelDescription, slopes: bool) -> Abilities:
     """What a model description declares; ``slopes`` where the binary has been queried."""
     flags = description.coSimulation
+    assert flags is not None
     return Abilities(
-        bool(flags.canGetAndSetFMUstate),
-        bool(flags.canGetAndSetFMUstate and flags.canSerializeFMUstate),
+        flags.canGetAndSetFMUState,
+        flags.canGetAndSetFMUState and flags.canSerializeFMUState,
         slopes,
-        bool(flags.canHandleVariableCommunicationStepSize),
+        flags.canHandleVariableCommunicationStepSize,
     )
