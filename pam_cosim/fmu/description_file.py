@@ -283,11 +283,18 @@ class _Reader:
 
     @staticmethod
     def _simple_type(element: Element) -> SimpleType:
-        keys = ("unit", "displayUnit", "quantity", "min", "max", "nominal")
         items = [
             (item.attributes["name"], item.attributes["value"]) for item in element.all("Item")
         ]
-        return SimpleType(*map(element.get, keys), items)
+        return SimpleType(
+            unit=element.get("unit"),
+            displayUnit=element.get("displayUnit"),
+            quantity=element.get("quantity"),
+            min=element.get("min"),
+            max=element.get("max"),
+            nominal=element.get("nominal"),
+            items=items,
+        )
 
     def _variable(self, element: Element, value: Element) -> ModelVariable:
         """A variable.
@@ -307,21 +314,25 @@ class _Reader:
                 f"{shown(name)} {place} cannot have the causality {shown(causality)} and the variability "
                 f"{shown(variability)}"
             )
-        is_real, keys = value.tag in ("Real", "Float32", "Float64"), ("quantity", "min", "max")
+        real = value.attributes if value.tag in ("Real", "Float32", "Float64") else {}
+        number = value.attributes if value.tag not in ("Boolean", "String") else {}
         variable = ModelVariable(
-            name,
-            int(element.attributes["valueReference"]),
-            value.tag,
-            element.get("description"),
-            causality,
-            variability,
-            self._start(value),
-            *(value.get(key) if is_real else None for key in ("unit", "displayUnit")),
-            *(value.get(key) if value.tag not in ("Boolean", "String") else None for key in keys),
-            value.get("nominal") if is_real else None,
-            None if declared is None else self._types[declared],
+            name=name,
+            valueReference=int(element.attributes["valueReference"]),
+            type=value.tag,
+            description=element.get("description"),
+            causality=causality,
+            variability=variability,
+            start=self._start(value),
+            unit=real.get("unit"),
+            displayUnit=real.get("displayUnit"),
+            quantity=number.get("quantity"),
+            min=number.get("min"),
+            max=number.get("max"),
+            nominal=real.get("nominal"),
+            declaredType=None if declared is None else self._types[declared],
         )
-        derivative = value.get("derivative") if is_real else None
+        derivative = real.get("derivative")
         if derivative is not None:
             self._derivatives.append((variable, derivative))
         return variable

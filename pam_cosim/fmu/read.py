@@ -300,15 +300,16 @@ def _slots_of(scalar: ModelVariable) -> Iterator[Slot]:
 
 
 def _starts(scalar: ModelVariable, size: int) -> tuple[float | str | None, ...]:
-    """Of every element; FMPy has those of an array as one text, or as a list."""
+    """Of every element: numbers stand in one text, and Strings in a list where there are several."""
     given = None if scalar.variability == "constant" else scalar.start
     if given is None:
         return (None,) * size
+    texts = [given] if isinstance(given, str) else given
+    read: list[float | str]
     if scalar.type == "String":
-        several = given if isinstance(given, (list, tuple)) else [given]
+        read = [*map(str, texts)]
     else:
-        several = given.split() if isinstance(given, str) else [given]
-    read = [str(v) if scalar.type == "String" else _start(v) for v in several]
+        read = [_start(word) for text in texts for word in str(text).split()]
     return tuple(read[i % len(read)] for i in range(size)) if read else (None,) * size
 
 

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from ctypes import c_char_p, c_int
-from functools import cache
 from pathlib import Path
-from types import UnionType
-from typing import Any, TypeAlias, get_args
+from typing import Any
 
 from fmpy.fmi2 import FMU2Model, FMU2Slave, fmi2CallbackFunctions
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 
 from pam_cosim.simulation.driver import Callbacks
-
-_Prototypes: TypeAlias = dict[str, tuple[list[str], list[Any], Any]]
 
 
 class _FmpyInstance:
@@ -25,7 +20,14 @@ class _FmpyInstance:
     version: int
 
     def _loadFunctions(self: Any) -> None:
-        for name, (argnames, argtypes, restype) in _prototypes(type(self)).items():
+        kind = type(self)
+        if kind not in _PROTOTYPES:
+            super()._loadFunctions()  # type: ignore[misc]
+            _PROTOTYPES[kind] = {
+                name: (f.argnames, f.argtypes, f.restype) for name, f in self._functions.items()
+            }
+            return
+        for name, (argnames, argtypes, restype) in _PROTOTYPES[kind].items():
             function = getattr(self.dll, name)
             function.argnames, function.argtypes = argnames, argtypes
             function.restype = restype
@@ -40,19 +42,7 @@ class _FmpyInstance:
             self.instantiate(callbacks=functions, loggingOn=True)
 
 
-@cache
-def _prototypes(kind: type) -> _Prototypes:
-    """As FMPy has them: names and types of arguments, and the type of the result, of the annotations of its methods."""
-    found: _Prototypes = {}
-    for name in dir(kind):
-        if name.startswith(("fmi2", "fmi3")):
-            types = dict(getattr(kind, name).__annotations__)
-            result = types.pop("return")
-            arguments = [get_args(t)[0] if isinstance(t, UnionType) else t for t in types.values()]
-            found[name] = [*types], arguments, {bytes: c_char_p, int: c_int}.get(result, result)
-    return found
-
-
+_PROTOTYPES: dict[type, dict[str, tuple[list[str], list[Any], Any]]] = {}
 # By major version of FMI, and whether it is for model exchange.
 _CLASSES: dict[tuple[int, bool], Any] = {
     (version, exchange): type(

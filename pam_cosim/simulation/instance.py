@@ -1,4 +1,4 @@
-"""Libraries of FMUs and their instances: FMPy's, and for co-simulation of our own FMUs one that loads without FMPy."""
+"""Libraries of FMUs and their instances: FMPy's, and one without FMPy for co-simulation of our own FMUs."""
 
 from __future__ import annotations
 
@@ -69,9 +69,8 @@ class OwnInstance:
                 name, _CO_SIMULATION, guid, resources.as_uri().encode(), functions, False, True
             )
         else:
-            make, flag = self.dll.fmi3InstantiateCoSimulation, ctypes.c_bool
-            flags, intermediate = [flag] * 4, [_VP, ctypes.c_size_t]
-            make.argtypes = [_TEXT, _TEXT, _TEXT, *flags, *intermediate, _VP, _Log, _VP]
+            make, flags = self.dll.fmi3InstantiateCoSimulation, [ctypes.c_bool] * 4
+            make.argtypes = [*[_TEXT] * 3, *flags, _VP, ctypes.c_size_t, _VP, _Log, _VP]
             make.restype = _VP
             self._log = _Log(callbacks.note)  # must outlive the instance
             folder = f"{resources}{os.sep}".encode()
