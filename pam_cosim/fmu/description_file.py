@@ -1,7 +1,7 @@
 """A model description of FMI 2.0 or 3.0 as plain objects.
 
-FMPy has such objects too. To load FMPy takes as long as a run with them; so this reads what a run, a fit or a coupling
-needs, in one pass, and attributes have the names that FMI gives them.
+FMPy has such objects too, but takes as long to load as a run. These hold what a run, a fit or a coupling needs, under
+the names that FMI gives it.
 """
 
 from __future__ import annotations
@@ -36,7 +36,6 @@ _INITIAL = {
 _PARAMETERS = ("parameter", "calculatedParameter", "structuralParameter")
 # Elements of the model structure in FMI 2.0, as FMI 3.0 names what they list.
 _LISTS = {"Outputs": "Output", "Derivatives": "ContinuousStateDerivative", "InitialUnknowns": ""}
-
 _STRUCTURE = (
     "Output",
     "ContinuousStateDerivative",
@@ -171,7 +170,7 @@ class ModelDescription:
 
     @property
     def numberOfContinuousStates(self) -> int:
-        """Numbers of all elements of arrays among them."""
+        """The number of continuous states; each element of an array is one."""
         return sum(math.prod(unknown.variable.shape) for unknown in self.derivatives)
 
 

@@ -104,6 +104,12 @@ def test_arrays_and_aliases_are_those_of_fmpy(tmp_path: Path) -> None:
     assert [v.name for v in own.modelVariables][-1] == "y" and own.numberOfContinuousStates == 3
 
 
+def test_limits_of_an_unsigned_integer_are_read() -> None:
+    text = ARRAYS.replace('<UInt64 name="n"', '<UInt64 name="n" min="1" max="9"')
+    variable = parse(io.BytesIO(text.encode())).modelVariables[0]
+    assert (variable.type, variable.min, variable.max) == ("UInt64", "1", "9")
+
+
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
