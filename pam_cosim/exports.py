@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import re
 from abc import ABC, abstractmethod
@@ -46,6 +45,8 @@ def headed(name: str, unit: str) -> str:
 def table_text(table: Table) -> str:
     """A table as comma-separated values; every number reads back as it is, and one of whether is 0 or 1."""
     heads, rows = table
+    import csv
+
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(heads)

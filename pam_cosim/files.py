@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import stat
@@ -234,6 +233,8 @@ class Plain:
 
 def json_text(content: Any) -> str:
     """As JSON; numbers that do not exist become null."""
+    import json
+
     return json.dumps(plain(content), indent=1, allow_nan=False) + "\n"
 
 
@@ -301,6 +302,8 @@ def read_json(path: Path) -> Any:
     Raises:
         InputError: the file is missing or is not JSON.
     """
+    import json
+
     try:
         return json.loads(read_file(path, MOST_TEXT).decode(), object_pairs_hook=_once)
     except _Twice as twice:

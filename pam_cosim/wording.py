@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
-from html import escape
 
 _LONGEST = 60
 _LONGEST_LINE = 200
@@ -123,4 +122,6 @@ class Printed:
         return f": {text.splitlines()[0]}" if text else ""
 
     def _repr_html_(self) -> str:
+        from html import escape  # in notebooks alone
+
         return f"<pre>{escape(str(self))}</pre>"

@@ -22,7 +22,7 @@ FLOORS = (
     {"exports": 790, "model": 2800},
     {"compiler": 62900},
     {"catalogue": 15700},
-    {"fmu": 25200},
+    {"fmu": 27700},
     {"simulation": 23300},
     {"measurement": 48700, "analysis": 15500, "sweeps": 10600},
     {"starts": 10600},

@@ -4,20 +4,17 @@ from __future__ import annotations
 
 import shutil
 import tempfile
-import zipfile
 from collections.abc import Callable, Mapping, Sequence
 from ctypes import c_double
 from pathlib import Path
 from typing import Any, TypeVar
-from xml.etree.ElementTree import fromstring
 
 import numpy as np
 from fmpy.fmi3 import FMU3Model
-from fmpy.model_description import ModelDescription
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.read import exchange_description, fmi_version, interface_of, slots, state_names
+from pam_cosim.fmu.read import exchange_description, interface_of, slots, state_names
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.simulation.driver import Callbacks, RunProgress
 from pam_cosim.simulation.failure import RunFailure
@@ -60,7 +57,8 @@ class ExchangeModel:
         self._references = slots(self._description)
         pairs = list(state_names(self._description))
         self.rate_names, self.states = [rate for _, rate in pairs], [state for state, _ in pairs]
-        self.exact = _gives_derivatives(self.path, self._description)
+        assert self._description.modelExchange is not None
+        self.exact = self._description.modelExchange.providesDirectionalDerivatives
         self.nominal = np.ones(len(self.states))
         self._calls = 0
         self.event_indicators = int(self._description.numberOfEventIndicators or 0)
@@ -278,12 +276,3 @@ class ExchangeModel:
                 "; ".join(self._callbacks.take_messages()) or f"the FMU reports an error: {error}"
             )
             raise RunFailure(messages, getattr(self, "time", None)) from error
-
-
-def _gives_derivatives(path: Path, description: ModelDescription) -> bool:
-    if fmi_version(description) == "2.0":
-        return bool(description.modelExchange.providesDirectionalDerivative)
-    with zipfile.ZipFile(path) as archive:  # FMPy knows the attribute by its name in FMI 2.0 only
-        root = fromstring(archive.read("modelDescription.xml"))
-    kind = root.find("ModelExchange")
-    return kind is not None and kind.get("providesDirectionalDerivatives") in ("true", "1")

@@ -14,7 +14,8 @@ from pam_cosim.cosimulation.loops import evaluation_order, torn
 from pam_cosim.cosimulation.parts import Component, Connection, Controller, CoupledFmu, Port
 from pam_cosim.cosimulation.sampling import sampled
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.simulation import Inputs, RunFailure, Stepper
+from pam_cosim.simulation import Inputs, RunFailure
+from pam_cosim.simulation.stepper import Stepper
 
 Method = Literal["jacobi", "gauss-seidel"]
 Extrapolation = Literal["constant", "linear"]

@@ -11,7 +11,8 @@ from pam_cosim.cosimulation.recorder import Recorder
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.settings import Setting, resolve, value_of
-from pam_cosim.simulation import AnySimulator, Stepper, Trajectory
+from pam_cosim.simulation import AnySimulator, Trajectory
+from pam_cosim.simulation.stepper import Stepper
 from pam_cosim.units import UnitError, convert, format_quantity, seconds
 from pam_cosim.wording import Printed, did_you_mean
 

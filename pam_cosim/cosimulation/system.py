@@ -40,8 +40,8 @@ from pam_cosim.simulation import (
     Inputs,
     IsolatedSimulator,
     Simulator,
-    Stepper,
 )
+from pam_cosim.simulation.stepper import Stepper
 from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import Printed, did_you_mean, shown
 

@@ -12,9 +12,9 @@ import time
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import cache
+from importlib.util import find_spec
 from pathlib import Path
 
-import fmpy
 import ziglang
 
 from pam_cosim.cache import CAN_BE_MADE_AGAIN, cache_dir, cached, digest
@@ -72,7 +72,9 @@ def _zig() -> Path:
 
 @cache
 def _fmi_headers() -> Path:
-    return Path(fmpy.__file__).parent / "c-code"
+    package = find_spec("fmpy")  # to load it takes as long as a run
+    assert package is not None and package.origin is not None
+    return Path(package.origin).parent / "c-code"
 
 
 def headers(fmi: str) -> list[Path]:

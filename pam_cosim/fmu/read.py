@@ -9,19 +9,14 @@ import zipfile
 import zlib
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from contextlib import ExitStack
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
 from pathlib import Path
-from typing import Any
-from xml.etree.ElementTree import iterparse
-
-import fmpy
-from fmpy.model_description import ModelDescription, ValidationError
+from typing import Any, NamedTuple
 
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_regular
+from pam_cosim.fmu.description_file import DefaultExperiment, ModelDescription, ModelVariable, parse
 from pam_cosim.model.interface import (
     Interface,
     Kind,
@@ -67,7 +62,7 @@ _KEPT = 128  # descriptions: a diagnosis comes back to those of the catalogue's 
 
 
 def read_description(path: Path) -> ModelDescription:
-    """FMPy's model description of an FMU of FMI 2.0 or 3.0 for co-simulation or model exchange.
+    """The model description of an FMU of FMI 2.0 or 3.0 for co-simulation or model exchange.
 
     Raises:
         InputError: not an FMU, or not of that kind.
@@ -110,17 +105,23 @@ def _read(path: Path, changed: int, size: int) -> ModelDescription:
     """The description of a file as it was at an instant; it must not be changed."""
     try:
         _check_names(path)
-        _check_version_and_indices(path)
-        description = fmpy.read_model_description(str(path), validate=False)
+        description = _parsed(path)
         _check_identifiers(description, path)
         _check_numbers(description, path)
         return description
-    except InputError:
+    except InputError as problem:
+        problem.file = problem.file or path
         raise
-    except ValidationError as error:
-        raise InputError(f"the FMU is not valid: {error.problems[0]}", path) from error
-    except Exception as error:  # fmpy raises bare Exceptions, zipfile, lxml and OS errors
+    except Exception as error:  # of zipfile, the parser of XML, numbers and the system
         raise InputError(f"this is not an FMU: {error}", path) from error
+
+
+def _parsed(path: Path) -> ModelDescription:
+    if path.is_dir():
+        with (path / _DESCRIPTION).open("rb") as file:
+            return parse(file)
+    with zipfile.ZipFile(path) as archive, archive.open(_DESCRIPTION) as entry:
+        return parse(entry)
 
 
 def _check_names(path: Path) -> None:
@@ -172,34 +173,6 @@ def check_document(archive: zipfile.ZipFile, name: str, path: Path) -> None:
             f"{shown(name)} in it has {size / 1e6:.0f} MB; {MOST_OF_DOCUMENT / 1e6:.0f} MB can be taken",
             path,
         )
-
-
-def _check_version_and_indices(path: Path) -> None:
-    """Looks at what FMPy takes without a word.
-
-    Raises:
-        InputError: a version that it reads otherwise, or not at all; an index of no variable.
-    """
-    with ExitStack() as opened:
-        folder = (
-            path if path.is_dir() else zipfile.Path(opened.enter_context(zipfile.ZipFile(path)))
-        )
-        file = opened.enter_context((folder / _DESCRIPTION).open("rb"))
-        elements = (element for _, element in iterparse(file, ("start",)))
-        version = str(next(elements).get("fmiVersion"))
-        if version[:2] not in ("2.", "3."):
-            raise InputError(
-                f"an FMU of FMI 2.0 or 3.0 is needed; this is FMI {shown(version)}", path
-            )
-        count, indices = 0, list[str]()
-        for element in elements:
-            count += element.tag == "ScalarVariable"
-            places = {"Unknown": ("index", "dependencies"), "Real": ("derivative",)}
-            for key in places.get(element.tag, ()) if version[0] == "2" else ():
-                indices += element.get(key, "").split()
-    for index in indices:
-        if not (index.isdecimal() and 1 <= int(index[:20]) <= count):
-            raise InputError(f"the index {shown(index)} is of none of {count} variables", path)
 
 
 def _check_identifiers(description: ModelDescription, path: Path) -> None:
@@ -273,18 +246,22 @@ def fmi_version(description: ModelDescription) -> str:
     return ".".join(str(description.fmiVersion).split("-")[0].split(".")[:2])
 
 
-@dataclass(frozen=True)
-class Slot:
+def is_own(description: ModelDescription) -> bool:
+    """Whether an FMU says that this program made it."""
+    return str(description.generationTool).startswith(TOOL)
+
+
+class Slot(NamedTuple):
     """Where the value of a variable is in an FMU: an array has one value reference for all its elements.
 
     Attributes:
-        scalar: FMPy's variable.
+        scalar: the variable in the model description.
         name: of the variable, or of the element: ``a[1,2]``.
         place, size: which element it is, from 0, and how many there are.
         starts: start values of all elements; a String has a text.
     """
 
-    scalar: Any
+    scalar: ModelVariable
     name: str
     place: int
     size: int
@@ -307,11 +284,11 @@ def slots(description: ModelDescription) -> Mapping[str, Slot]:
     }
 
 
-def _size(scalar: Any) -> int:
+def _size(scalar: ModelVariable) -> int:
     return math.prod(scalar.shape or ())
 
 
-def _slots_of(scalar: Any) -> Iterator[Slot]:
+def _slots_of(scalar: ModelVariable) -> Iterator[Slot]:
     starts, size = _starts(scalar, _size(scalar)), _size(scalar)
     if not scalar.shape:
         yield Slot(scalar, scalar.name, 0, 1, starts)
@@ -322,16 +299,17 @@ def _slots_of(scalar: Any) -> Iterator[Slot]:
         yield Slot(scalar, name, place, size, starts)
 
 
-def _starts(scalar: Any, size: int) -> tuple[float | str | None, ...]:
-    """Of every element; FMPy has those of an array as one text, or as a list."""
+def _starts(scalar: ModelVariable, size: int) -> tuple[float | str | None, ...]:
+    """Of every element: numbers stand in one text, and Strings in a list where there are several."""
     given = None if scalar.variability == "constant" else scalar.start
     if given is None:
         return (None,) * size
+    texts = [given] if isinstance(given, str) else given
+    read: list[float | str]
     if scalar.type == "String":
-        several = given if isinstance(given, (list, tuple)) else [given]
+        read = [*map(str, texts)]
     else:
-        several = given.split() if isinstance(given, str) else [given]
-    read = [str(v) if scalar.type == "String" else _start(v) for v in several]
+        read = [_start(word) for text in texts for word in str(text).split()]
     return tuple(read[i % len(read)] for i in range(size)) if read else (None,) * size
 
 
@@ -363,8 +341,7 @@ def interface_of(description: ModelDescription) -> Interface:
     refused: dict[str, str] = {}
     calculated: list[str] = []
     slots_by_name = slots(description)
-    is_pam_fmu = str(description.generationTool).startswith(TOOL)
-    pressures: Pressures = "gauge" if is_pam_fmu else ""
+    pressures: Pressures = "gauge" if is_own(description) else ""
     for name, slot in slots_by_name.items():
         causality = slot.scalar.causality
         if causality == "calculatedParameter":
@@ -407,7 +384,7 @@ def interface_of(description: ModelDescription) -> Interface:
     )
 
 
-def _experiment(experiment: Any) -> dict[str, float]:
+def _experiment(experiment: DefaultExperiment) -> dict[str, float]:
     """Default times of runs; an interval that is not declared fits the duration."""
     start, stop = float(experiment.startTime or 0.0), _float(experiment.stopTime)
     duration = None if stop is None else stop - start
@@ -468,7 +445,7 @@ def _float(text: Any) -> float | None:
     return None if text is None else float(text)
 
 
-def _attribute(scalar: Any, name: str) -> Any:
+def _attribute(scalar: ModelVariable, name: str) -> Any:
     """An attribute of the variable, or of its declared type."""
     value = getattr(scalar, name)
     if value is None and scalar.declaredType is not None:
@@ -476,7 +453,7 @@ def _attribute(scalar: Any, name: str) -> Any:
     return value
 
 
-def _text(scalar: Any, name: str) -> str:
+def _text(scalar: ModelVariable, name: str) -> str:
     """A text that is shown to people; it may come from another tool."""
     text = getattr(scalar, name) if name == "description" else _attribute(scalar, name)
     return printable(text or "")
@@ -487,7 +464,8 @@ def _variable(slot: Slot, pressures: Pressures) -> Variable:
     least, greatest, nominal = (
         _numbers(_attribute(scalar, key)) for key in ("min", "max", "nominal")
     )
-    items = scalar.declaredType.items if slot.kind == "Enumeration" else None
+    declared = scalar.declaredType
+    items = declared.items if declared and slot.kind == "Enumeration" else None
     span = integer_span(scalar.type) if slot.kind == "Integer" else None
     return Variable(
         name=slot.name,
@@ -500,7 +478,7 @@ def _variable(slot: Slot, pressures: Pressures) -> Variable:
         display_unit=_text(scalar, "displayUnit"),
         quantity=_text(scalar, "quantity"),
         kind=slot.kind,
-        items={printable(item.name): float(item.value) for item in items} if items else None,
+        items={printable(item): float(number) for item, number in items} if items else None,
         text=start if isinstance(start, str) else "",
         span=span,
         is_discrete=slot.kind != "Real" or scalar.variability == "discrete",

@@ -6,7 +6,6 @@ from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs
 from pam_cosim.simulation.isolated import IsolatedSimulator
 from pam_cosim.simulation.simulator import Simulator, SolverStatistics
-from pam_cosim.simulation.stepper import Stepper
 from pam_cosim.simulation.trajectory import Trajectory
 
 AnySimulator = Simulator | IsolatedSimulator
@@ -20,6 +19,5 @@ __all__ = [
     "Settle",
     "Simulator",
     "SolverStatistics",
-    "Stepper",
     "Trajectory",
 ]

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
-from fmpy.model_description import ModelDescription
+from pam_cosim.fmu.description_file import ModelDescription
 
 
-@dataclass(frozen=True)
-class Abilities:
+class Abilities(NamedTuple):
     """What an FMU declares that it can do in addition to a step.
 
     Attributes:
@@ -27,9 +26,10 @@ class Abilities:
 def abilities_of(description: ModelDescription, slopes: bool) -> Abilities:
     """What a model description declares; ``slopes`` where the binary has been queried."""
     flags = description.coSimulation
+    assert flags is not None
     return Abilities(
-        bool(flags.canGetAndSetFMUstate),
-        bool(flags.canGetAndSetFMUstate and flags.canSerializeFMUstate),
+        flags.canGetAndSetFMUState,
+        flags.canGetAndSetFMUState and flags.canSerializeFMUState,
         slopes,
-        bool(flags.canHandleVariableCommunicationStepSize),
+        flags.canHandleVariableCommunicationStepSize,
     )

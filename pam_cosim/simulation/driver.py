@@ -4,21 +4,15 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
-from fmpy.fmi2 import (
-    fmi2CallbackAllocateMemoryTYPE,
-    fmi2CallbackFreeMemoryTYPE,
-    fmi2CallbackFunctions,
-    fmi2CallbackLoggerTYPE,
-)
 
 from pam_cosim.arrays import Array
 from pam_cosim.fmu.read import Slot
 from pam_cosim.simulation.native import (
     SLOTS,
+    CallbackFunctions,
     DriverRun,
     DriverVariables,
     MessageLog,
@@ -74,13 +68,13 @@ class Callbacks:
     def __init__(self) -> None:
         library = driver_library()
         self._log = MessageLog()
-        self.functions = fmi2CallbackFunctions()
-        self.functions.logger = ctypes.cast(library.pam_driver_logger, fmi2CallbackLoggerTYPE)
-        self.functions.allocateMemory = ctypes.cast(
-            library.pam_driver_allocate, fmi2CallbackAllocateMemoryTYPE
+        self.functions = CallbackFunctions(
+            address(library, "pam_driver_logger"),
+            address(library, "pam_driver_allocate"),
+            address(library, "pam_driver_free"),
+            None,
+            ctypes.addressof(self._log),
         )
-        self.functions.freeMemory = ctypes.cast(library.pam_driver_free, fmi2CallbackFreeMemoryTYPE)
-        self.functions.componentEnvironment = ctypes.addressof(self._log)
 
     def note(self, environment: object, status: int, category: bytes, message: bytes) -> None:
         """The log of FMI 3.0, as a function for FMPy; messages of status warning and worse are kept."""
@@ -95,8 +89,7 @@ class Callbacks:
         return [printable(line) for line in text.splitlines() if line.strip()]
 
 
-@dataclass(frozen=True)
-class RunProgress:
+class RunProgress(NamedTuple):
     """Of a run that has not ended.
 
     Attributes:
@@ -124,8 +117,7 @@ class Outcome:
         self.values, self.time, self.failed, self.ended = values, time, failed, ended
 
 
-@dataclass(frozen=True)
-class Request:
+class Request(NamedTuple):
     """A request for a simulation by a driver.
 
     Attributes:

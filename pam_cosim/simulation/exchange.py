@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 from fmpy.fmi1 import FMICallException
-from fmpy.model_description import ModelDescription
 from fmpy.sundials import CVodeSolver
 from fmpy.sundials.nvector_serial import NV_DATA_S
 
+from pam_cosim.fmu.description_file import ModelDescription
 from pam_cosim.fmu.read import slots
 from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Outcome, Request, RunProgress
 from pam_cosim.simulation.instance import Instance, major_version
@@ -120,7 +120,8 @@ class ExchangeDriver:
         self.model, self._callbacks = model, callbacks
         self.states = int(description.numberOfContinuousStates)
         self.indicators = int(description.numberOfEventIndicators or 0)
-        self._told_steps = bool(description.modelExchange.needsCompletedIntegratorStep)
+        assert description.modelExchange is not None
+        self._told_steps = description.modelExchange.needsCompletedIntegratorStep
         self._tolerance = _given(description)
         self._variables = Values(model, slots(description), major_version(model))
         self._calls, self._function = 0, ""

@@ -38,3 +38,7 @@ class RunFailure(SimulationFailure):
                 f"{name} = {value:.6g}" for name, value in self.parameters.items()
             )
         return text
+
+
+class ProcessFailure(RunFailure):
+    """The FMU's process was ended, or ended itself, before it answered."""

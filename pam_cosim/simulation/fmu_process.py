@@ -18,7 +18,7 @@ from pam_cosim.processes import watchdog
 from pam_cosim.processes.memory import MOST_MEMORY
 from pam_cosim.processes.safe_path import safe_command, safe_environment
 from pam_cosim.simulation.driver import RunProgress
-from pam_cosim.simulation.failure import RunFailure
+from pam_cosim.simulation.failure import ProcessFailure
 from pam_cosim.simulation.native import prepare_driver
 
 CO_SIMULATION = "pam_cosim.simulation.worker:unlimited"
@@ -26,10 +26,6 @@ EXCHANGE = "pam_cosim.simulation.exchange_simulator:ExchangeSimulator"
 _TICKS = 4  # looks at the progress within the limit, at least
 _LONGEST_TICK = 1.0  # [s]
 _LEAST_SILENCE, _MOST_SILENCE = 5.0, 20.0  # [s] of the watchdog, after which it is ended
-
-
-class ProcessFailure(RunFailure):
-    """The FMU's process was ended, or ended itself, before it answered."""
 
 
 class FmuProcess:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -82,8 +82,7 @@ def _first_decrease(time: Array) -> float:
     return float(time[np.argmax(np.diff(time) < 0.0)])
 
 
-@dataclass(frozen=True)
-class Pieces:
+class Pieces(NamedTuple):
     """An input as straight lines: from ``time[i]`` on, ``value[i] + slope[i] (t - time[i])``.
 
     All (k,); the first piece begins at minus infinity and is constant.

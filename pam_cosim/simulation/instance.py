@@ -1,61 +1,109 @@
-"""FMPy's interface to an instance, for both versions of FMI and both kinds."""
+"""Libraries of FMUs and their instances: FMPy's, and one without FMPy for co-simulation of our own FMUs."""
 
 from __future__ import annotations
 
+import ctypes
 import os
 import shutil
+import sys
 import zipfile
 from pathlib import Path
 from typing import Any, TypeAlias
 
-import fmpy
-from fmpy.fmi2 import FMU2Model, FMU2Slave
-from fmpy.fmi3 import FMU3Model, FMU3Slave
-from fmpy.model_description import ModelDescription
-
 from pam_cosim.errors import InputError
+from pam_cosim.fmu.description_file import ModelDescription
 from pam_cosim.fmu.platforms import PLATFORMS, native_platform
-from pam_cosim.fmu.read import DAMAGED, TABLES, fmi_version
+from pam_cosim.fmu.read import DAMAGED, TABLES, fmi_version, is_own
 from pam_cosim.simulation.driver import Callbacks
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.wording import shown
 
-Instance: TypeAlias = (
-    Any  # FMU2Slave | FMU3Slave | FMU2Model | FMU3Model, of a package without types
-)
+Instance: TypeAlias = Any  # OwnInstance, or one of FMPy's, whose package has no types
+
+_CO_SIMULATION = 1  # fmi2Type
+_WORST = 1  # status of FMI: a warning
+_VP, _TEXT, _INT = ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int
+_Log = ctypes.CFUNCTYPE(None, _VP, _INT, _TEXT, _TEXT)  # fmi3LogMessageCallback
 
 
-class _TypedOnce:
-    """FMPy reads the types of FMI functions from its own signatures for each library; once for a class will do."""
+class OwnInstance:
+    """An FMU of our own for co-simulation, whose runs are made in C: Python loads it, makes the instance and frees it.
 
-    def _loadFunctions(self: Any) -> None:
-        kind = type(self)
-        if kind not in _PROTOTYPES:
-            super()._loadFunctions()  # type: ignore[misc]
-            _PROTOTYPES[kind] = {
-                name: (f.argnames, f.argtypes, f.restype) for name, f in self._functions.items()
-            }
-            return
-        for name, (argnames, argtypes, restype) in _PROTOTYPES[kind].items():
-            function = getattr(self.dll, name)
-            function.argnames, function.argtypes = argnames, argtypes
-            function.restype = restype
-            self._functions[name] = function
+    Args:
+        library: its binary.
+        folder: where it was unpacked.
+        identifier: of the model.
+        guid: of the FMU.
+        version: major, of FMI.
 
+    Attributes:
+        dll: the library, loaded.
+        component: its fmi2Component or fmi3Instance.
 
-_PROTOTYPES: dict[type, dict[str, tuple[list[str], list[Any], Any]]] = {}
+    Raises:
+        OSError: the library cannot be loaded.
+    """
 
+    def __init__(
+        self, library: Path, folder: str, identifier: str, guid: str | None, version: int
+    ) -> None:
+        self.version, self.component = version, None
+        self._library, self._folder = library, folder
+        self._with_steps: Instance = None
+        self._identifier, self._guid = identifier, guid
+        self.dll = ctypes.CDLL(str(library))
 
-# By major version of FMI, and whether it is for model exchange.
-_CLASSES = {
-    (version, exchange): type(f"{face.__name__}TypedOnce", (_TypedOnce, face), {})
-    for (version, exchange), face in {
-        ("2.0", False): FMU2Slave,
-        ("2.0", True): FMU2Model,
-        ("3.0", False): FMU3Slave,
-        ("3.0", True): FMU3Model,
-    }.items()
-}
+    def begin(self, callbacks: Callbacks) -> None:
+        """Makes the instance in the library.
+
+        Raises:
+            RuntimeError: the library refuses.
+        """
+        name, guid = b"instance", str(self._guid).encode()
+        resources = Path(self._folder, "resources")
+        if self.version == 2:
+            make = self.dll.fmi2Instantiate
+            make.argtypes, make.restype = [_TEXT, _INT, _TEXT, _TEXT, _VP, _INT, _INT], _VP
+            functions = ctypes.addressof(callbacks.functions)
+            self.component = make(
+                name, _CO_SIMULATION, guid, resources.as_uri().encode(), functions, False, True
+            )
+        else:
+            make, flags = self.dll.fmi3InstantiateCoSimulation, [ctypes.c_bool] * 4
+            make.argtypes = [*[_TEXT] * 3, *flags, _VP, ctypes.c_size_t, _VP, _Log, _VP]
+            make.restype = _VP
+            self._log = _Log(callbacks.note)  # must outlive the instance
+            folder = f"{resources}{os.sep}".encode()
+            self.component = make(
+                name, guid, folder, False, True, False, False, None, 0, None, self._log, None
+            )
+        if not self.component:
+            raise RuntimeError("Failed to instantiate model")
+
+    def with_steps(self) -> Instance:
+        """FMPy's interface to this instance, for a run step by step."""
+        if self._with_steps is None:
+            from pam_cosim.simulation.fmpy_instance import fmpy_instance
+
+            arguments = self._library, self._folder, self._identifier, self._guid, self.version
+            self._with_steps = fmpy_instance(*arguments, exchange=False)
+            self._with_steps.freeLibrary()  # loaded twice; this instance frees it at its end
+        self._with_steps.component = self.component
+        return self._with_steps
+
+    def freeInstance(self) -> None:
+        """Frees the instance and its library."""
+        free_instance(self)
+        self.freeLibrary()
+
+    def freeLibrary(self) -> None:
+        """Unloads the library."""
+        if sys.platform == "win32":
+            from _ctypes import FreeLibrary as unload
+        else:
+            from _ctypes import dlclose as unload
+
+        unload(self.dll._handle)
 
 
 def load_instance(
@@ -80,22 +128,20 @@ def load_instance(
         except (*DAMAGED, OSError) as problem:  # a file and a folder of one name, among others
             reason = getattr(problem, "strerror", None) or problem
             raise InputError(f"the archive cannot be unpacked: {reason}", path) from None
-    identifier = (
-        description.modelExchange if exchange else description.coSimulation
-    ).modelIdentifier
-    version = fmi_version(description)
+    kind = description.modelExchange if exchange else description.coSimulation
+    assert kind is not None
+    identifier = str(kind.modelIdentifier)
+    version = 2 if fmi_version(description) == "2.0" else 3
     library = _library(Path(directory), identifier, version, path)
-    arguments = {
-        "guid": description.guid,
-        "unzipDirectory": directory,
-        "modelIdentifier": identifier,
-        "instanceName": "instance",
-    }
+    arguments = library, directory, identifier, description.guid, version
     folder = os.getcwd()
     try:
-        if version == "2.0":
-            arguments["libraryPath"] = str(library)
-        instance = _CLASSES[version, exchange](**arguments)
+        if is_own(description) and not exchange:
+            instance: Instance = OwnInstance(*arguments)
+        else:
+            from pam_cosim.simulation.fmpy_instance import fmpy_instance
+
+            instance = fmpy_instance(*arguments, exchange=exchange)
         if (Path(directory) / TABLES).exists():  # a model as data
             from pam_cosim.simulation.tape import use_tapes
 
@@ -123,14 +169,18 @@ def _extract(path: Path, directory: Path) -> None:
                 shutil.copyfileobj(source, file)
 
 
-def _library(directory: Path, identifier: str, version: str, path: Path) -> Path:
+def _library(directory: Path, identifier: str, version: int, path: Path) -> Path:
     """The binary for this machine: in the directory of this platform's own, or in that which FMI names.
 
     Raises:
         InputError: there is none.
     """
     platform, binaries = PLATFORMS[native_platform()], directory / "binaries"
-    folders = (platform.folder, fmpy.platform) if version == "2.0" else (platform.tuple,)
+    folders = [platform.folder if version == 2 else platform.tuple]
+    if version == 2 and not (binaries / folders[0]).exists():
+        import fmpy
+
+        folders.append(fmpy.platform)
     files = [binaries / folder / f"{identifier}{platform.suffix}" for folder in folders]
     for file in files:
         if file.exists():
@@ -149,10 +199,7 @@ def instantiate(instance: Instance, callbacks: Callbacks, file: str) -> None:
         SimulationFailure: (``RunFailure``) the FMU refuses; ``file`` names it.
     """
     try:
-        if major_version(instance) == 3:
-            instance.instantiate(loggingOn=True, logMessage=callbacks.note)
-        else:
-            instance.instantiate(callbacks=callbacks.functions, loggingOn=True)
+        instance.begin(callbacks)
     except Exception as error:  # fmpy raises bare Exceptions
         messages = " ".join(callbacks.take_messages()) or str(error)
         instance.freeLibrary()
@@ -161,17 +208,24 @@ def instantiate(instance: Instance, callbacks: Callbacks, file: str) -> None:
 
 def free_instance(instance: Instance) -> None:
     """Frees the instance and keeps the library loaded."""
-    free = instance.fmi3FreeInstance if major_version(instance) == 3 else instance.fmi2FreeInstance
-    free(instance.component)
+    free = getattr(instance.dll, f"fmi{instance.version}FreeInstance")
+    free.restype = None
+    free(_VP(instance.component))
+
+
+def reset_instance(instance: Instance) -> bool:
+    """Whether the instance could be reset."""
+    reset = getattr(instance.dll, f"fmi{instance.version}Reset")
+    return bool(reset(_VP(instance.component)) <= _WORST)
 
 
 def major_version(instance: Instance) -> int:
     """Of FMI: 2 or 3."""
-    return 3 if isinstance(instance, (FMU3Slave, FMU3Model)) else 2
+    return int(instance.version)
 
 
 def takes_slopes(description: ModelDescription, instance: Instance) -> bool:
     """Whether inputs may be given with their slopes: by FMI 2.0, or by our own FMUs in addition to FMI 3.0."""
-    if isinstance(instance, FMU3Slave):
+    if instance.version == 3:
         return hasattr(instance.dll, "pam_set_input_slopes")
-    return bool(description.coSimulation.canInterpolateInputs)
+    return description.coSimulation is not None and description.coSimulation.canInterpolateInputs

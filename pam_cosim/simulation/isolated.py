@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from numpy.typing import ArrayLike
 
@@ -14,11 +14,12 @@ from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import read_description, read_interface
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation.driver import Settle
-from pam_cosim.simulation.failure import RunFailure
-from pam_cosim.simulation.fmu_process import EXCHANGE, FmuProcess, ProcessFailure
+from pam_cosim.simulation.failure import ProcessFailure, RunFailure
 from pam_cosim.simulation.inputs import Inputs
-from pam_cosim.simulation.stepper import Stepper
 from pam_cosim.simulation.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from pam_cosim.simulation.stepper import Stepper
 
 # [s] without progress: loading and each call of an FMU take milliseconds as a rule
 TIME_LIMIT = 60.0
@@ -52,6 +53,8 @@ class IsolatedSimulator:
         self._longest = None if timeout is None else self.timeout
         self.interface: Interface = read_interface(self.path)
         self._settles: bool | None = None
+        from pam_cosim.simulation.fmu_process import EXCHANGE, FmuProcess
+
         self._process = FmuProcess(self.path, self.timeout)
         self._exchange = FmuProcess(self.path, self.timeout, EXCHANGE)
 
@@ -150,7 +153,7 @@ class IsolatedSimulator:
 
     def stepper(self) -> Stepper:
         """A new run, step by step, in the FMU's process; it ends when another run begins, and with that process."""
-        return cast(Stepper, RemoteStepper(self._process.answer))
+        return cast("Stepper", RemoteStepper(self._process.answer))
 
 
 class RemoteStepper:
@@ -164,6 +167,8 @@ class RemoteStepper:
         self._answer = answer
 
     def __getattr__(self, name: str) -> Callable[..., Any]:
+        from pam_cosim.simulation.stepper import Stepper
+
         if name.startswith("_") or name not in vars(Stepper):
             raise AttributeError(name)
         return lambda *arguments, **named: self._answer(

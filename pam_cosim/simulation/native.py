@@ -37,6 +37,15 @@ class MessageLog(ctypes.Structure):
     _fields_ = [("used", ctypes.c_size_t), ("text", ctypes.c_char * 8192)]
 
 
+class CallbackFunctions(ctypes.Structure):
+    """fmi2CallbackFunctions."""
+
+    _fields_ = [
+        (name, ctypes.c_void_p)
+        for name in ("logger", "allocateMemory", "freeMemory", "stepFinished", "environment")
+    ]
+
+
 class DriverRun(ctypes.Structure):
     """What the C function reads and writes, as ``pam_driver.c`` has it."""
 

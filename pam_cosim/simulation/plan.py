@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,8 +23,7 @@ _JUMP = 0.05  # of the range of an input, above which it is a step and not noise
 _KEPT = 64  # plans: a fit runs the same few experiments over and over
 
 
-@dataclass(frozen=True)
-class CommunicationPlan:
+class CommunicationPlan(NamedTuple):
     """What the driver does at each communication point.
 
     Attributes:
@@ -54,8 +53,7 @@ class CommunicationPlan:
         return values[self.rows] if self.grid is None else self.grid.table(values, held)
 
 
-@dataclass(frozen=True)
-class EqualSteps:
+class EqualSteps(NamedTuple):
     """Times among the ends of equal steps, between which outputs are interpolated.
 
     Attributes:
@@ -90,8 +88,7 @@ class EqualSteps:
         return rows
 
 
-@dataclass(frozen=True)
-class Steps:
+class Steps(NamedTuple):
     """What an FMU needs of communication points.
 
     Attributes:
@@ -103,11 +100,14 @@ class Steps:
     fixed: float | None = None
 
 
+_ANY_STEPS = Steps()
+
+
 def plan(
     times: Array,
     start: float,
     inputs: Inputs | None,
-    steps: Steps = Steps(),
+    steps: Steps = _ANY_STEPS,
     held: Collection[str] = (),
 ) -> CommunicationPlan:
     """Lays out a run.

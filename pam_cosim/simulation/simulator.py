@@ -7,12 +7,10 @@ import math
 import shutil
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 import numpy as np
-from fmpy.fmi1 import FMICallException
 from numpy.typing import ArrayLike
 
 from pam_cosim.arrays import Array
@@ -34,20 +32,22 @@ from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs, with_held
 from pam_cosim.simulation.instance import (
     Instance,
+    OwnInstance,
     free_instance,
     instantiate,
     load_instance,
     major_version,
+    reset_instance,
     takes_slopes,
 )
 from pam_cosim.simulation.plan import CommunicationPlan, Steps, plan, points
-from pam_cosim.simulation.stepper import Stepper
 from pam_cosim.simulation.trajectory import Trajectory
 from pam_cosim.simulation.values import named_references
 from pam_cosim.units import format_quantity
 
 if TYPE_CHECKING:
     from pam_cosim.simulation.exchange import ExchangeDriver
+    from pam_cosim.simulation.stepper import Stepper
 
 # [s] of processor time, and for each row: a thousand times what a run needs
 LONGEST_RUN = (30.0, 1e-2)
@@ -56,8 +56,7 @@ _OTHER_TOOLS = "FMUs of other tools do not find"
 _REMEDY = "look at the values of its parameters, or give it a longer time limit (--timeout)"
 
 
-@dataclass(frozen=True)
-class SolverStatistics:
+class SolverStatistics(NamedTuple):
     """Work of the solver since the start of the last run."""
 
     steps: int
@@ -369,14 +368,19 @@ class Simulator:
         Raises:
             SimulationFailure: the FMU can neither be reset nor made again.
         """
+        from pam_cosim.simulation.stepper import Stepper
+
         if self._instance is None:
             raise RuntimeError("the simulator is closed")
         self._end_steps()
         if self._used:
             self._fresh(self._instance)
         self._used = True
+        instance = self._instance
+        if isinstance(instance, OwnInstance):
+            instance = instance.with_steps()
         self._stepper = Stepper(
-            self._instance, self.abilities, self._callbacks, self._slots, self.path.name
+            instance, self.abilities, self._callbacks, self._slots, self.path.name
         )
         return self._stepper
 
@@ -387,9 +391,7 @@ class Simulator:
 
     def _fresh(self, instance: Instance) -> None:
         """The instance as it was made."""
-        try:
-            instance.reset()
-        except FMICallException:
+        if not reset_instance(instance):
             self._renew()
 
     def _end_steps(self) -> None:

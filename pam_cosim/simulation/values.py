@@ -5,8 +5,7 @@ from __future__ import annotations
 import ctypes
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,8 +62,7 @@ class DriverGroup(ctypes.Structure):
     ]
 
 
-@dataclass(frozen=True)
-class Group:
+class Group(NamedTuple):
     """Value references whose values one call of FMI sets or gets.
 
     Attributes:

@@ -231,7 +231,8 @@ def _of_run(
 
 def state_names(path: Path) -> list[str]:
     """The continuous states of an FMU with model exchange."""
-    return [unknown.variable.derivative.name for unknown in exchange_description(path).derivatives]
+    rates = [unknown.variable for unknown in exchange_description(path).derivatives]
+    return [rate.derivative.name for rate in rates if rate.derivative is not None]
 
 
 def frequency_response(

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
 from functools import cache
+from typing import NamedTuple
 
 from pam_cosim.units.grammar import UnitError, read_unit, registry
 
@@ -21,11 +21,10 @@ _BASE = {
 }
 _FACTOR = r"[A-Za-z]+(?:[+-]?\d+)?"
 _PRODUCT = rf"{_FACTOR}(?:\.{_FACTOR})*"
-_MODELICA = re.compile(rf"(?:1|{_PRODUCT})(?:/(?:{_FACTOR}|\({_PRODUCT}\)))?")
+_MODELICA = rf"(?:1|{_PRODUCT})(?:/(?:{_FACTOR}|\({_PRODUCT}\)))?"
 
 
-@dataclass(frozen=True)
-class BaseUnit:
+class BaseUnit(NamedTuple):
     """A unit by its relation to SI base units: value [SI] = factor * value + offset."""
 
     name: str
@@ -52,7 +51,7 @@ def same_unit(unit_a: str, unit_b: str) -> bool:
         base_a, base_b = base_unit(unit_a), base_unit(unit_b)
     except UnitError:
         return False
-    return replace(base_a, name=base_b.name) == base_b
+    return base_a._replace(name=base_b.name) == base_b
 
 
 @cache
@@ -62,7 +61,7 @@ def base_unit(text: str) -> BaseUnit:
     Raises:
         UnitError: the text is not a unit or contains an unknown symbol.
     """
-    if not _MODELICA.fullmatch(text.replace(" ", "")):
+    if not re.fullmatch(_MODELICA, text.replace(" ", "")):
         raise UnitError(
             f"unit '{text}' cannot be read; write it as Modelica does, for example 'W/(m2.K)'"
         )

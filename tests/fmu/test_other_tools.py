@@ -164,6 +164,65 @@ def test_ecos_couples_a_written_system(tmp_path: Path) -> None:
     assert x == pytest.approx(own.trajectory["muscle.x"][-1], rel=0.01)  # it exchanges a step later
 
 
+_SOFIRPY = """
+import json, sys
+from pathlib import Path
+from sofirpy import simulate
+wires = {"muscle": [("p", "gas", "p")], "gas": [(name, "muscle", name) for name in ("V", "V_flow", "A")]}
+keys = ("parameter_name", "connect_to_system", "connect_to_external_parameter")
+table = simulate(stop_time=0.5, step_size=1e-3, fmu_paths={"gas": Path(sys.argv[1]), "muscle": Path(sys.argv[2])},
+    connections_config={to: [dict(zip(keys, wire)) for wire in found] for to, found in wires.items()},
+    start_values={"muscle": {"load.m": 5.0}, "gas": {"u_in": 0.3}}, parameters_to_log={"muscle": ["x"]})
+print("TOLD", json.dumps(float(table["muscle.x"].iloc[-1])))
+"""
+
+
+def test_sofirpy_couples_two() -> None:
+    x = _told("sofirpy", _SOFIRPY, *_halves("2.0"))
+    own = _coupled("jacobi")
+    assert x == pytest.approx(
+        own["muscle.x"][-1], rel=1e-5
+    )  # it takes the first step with start values
+
+
+_COFMUPY = """
+import json, sys
+from cofmupy import Coordinator
+folder, starts = sys.argv[3], json.loads(sys.argv[4])
+paths = {"gas": sys.argv[1], "muscle": sys.argv[2]}
+fmus = [{"id": name, "path": path, "initialization": starts[name]} for name, path in paths.items()]
+ends = [("gas", "muscle", "p"), *(("muscle", "gas", name) for name in ("V", "V_flow", "A"))]
+wires = [{"source": {"id": a, "variable": name}, "target": {"id": b, "variable": name}} for a, b, name in ends]
+file = f"{folder}/system.json"
+with open(file, "w") as text:
+    json.dump({"fmus": fmus, "connections": wires, "cosim_method": "jacobi", "iterative": False, "root": ""}, text)
+run = Coordinator()
+run.start(file)
+for _ in range(500):
+    run.do_step(1e-3)
+print("TOLD", json.dumps(float(run.get_results()["muscle", "x"][-1])))
+"""
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_cofmupy_couples_two(fmi: str, tmp_path: Path) -> None:
+    own = _coupled("jacobi")
+    gas = {name: own[f"muscle.{name}"][0] for name in ("V", "V_flow", "A")}
+    gas |= {"u_in": 0.3, "u_out": 0.0, "p_supply": 207e3}  # an input without a value begins at zero
+    starts = {"gas": gas, "muscle": {"p": own["gas.p"][0], "load.m": 5.0}}
+    x = _told("cofmupy", _COFMUPY, *_halves(fmi), tmp_path, json.dumps(starts))
+    assert x == pytest.approx(own["muscle.x"][-1], rel=1e-12)
+
+
+def _halves(fmi: str) -> list[Path]:
+    return [pam.build(f"CoSimulation.{name}", fmi=fmi) for name in ("ValveAndGas", "MuscleAndLoad")]
+
+
+def _coupled(method: str) -> pam.Trajectory:
+    system = halves(muscle__load__m="5 kg", gas__u_in=0.3)
+    return system.simulate(0.5, step="1 ms", method=method, extrapolation="constant").trajectory
+
+
 _PYSSP = """
 import json, sys
 from pyssp_standard.ssp import SSP

@@ -198,7 +198,7 @@ def test_lean_model_simulates_as_the_whole_one_and_refuses_what_it_has_not() -> 
             n: v.tobytes() for n, v in other.items()
         }
         assert one["y"] == pytest.approx(1 + np.exp(-3 * times) / 2, abs=1e-5)
-        instance = small._instance
+        instance = small._instance.with_steps()
         with pytest.raises(FMICallException):
             instance.getDirectionalDerivative([0], [0], [1.0])
     assert lean.is_dir() and validate_fmu(str(lean)) == []

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from pam_cosim import reporting, study
+from pam_cosim import study
 from pam_cosim.cli.arguments import parse_pairs
 from pam_cosim.cli.commands.common import (
     FilesOption,
@@ -68,7 +68,7 @@ def simulate(
     if output:
         trajectory.save(output)
     if plot:
-        reporting.draw(trajectory, plot, width)
+        study.draw(trajectory, plot, width)
     for line in [*look_first(trajectory.warnings), *str(trajectory).splitlines()[1:]]:
         typer.echo(line.strip())
     say_written(output, plot)
