@@ -53,12 +53,13 @@ from pam_cosim.drafting.values import (
     with_length,
 )
 from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.files import is_vacant
 from pam_cosim.measurement import DataSet, read_data_set
 from pam_cosim.measurement.data_set import FILE_NAME
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_file
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import listed, shown
+from pam_cosim.wording import listed
 
 _NOT_IN_NAMES = frozenset('\\/:*?"<>|@')
 
@@ -146,6 +147,10 @@ class UnsimulatedDraft(InputError):
     ) -> None:
         super().__init__(problem.message, problem.file, problem.line, problem.column)
         self.new_data_set, self.text, self.interface = new_data_set, text, interface
+
+    def __reduce__(self) -> tuple[type, tuple[object, ...]]:
+        problem = InputError(self.message, self.file, self.line, self.column)
+        return type(self), (problem, self.new_data_set, self.text, self.interface)
 
 
 def _draft(
@@ -327,15 +332,12 @@ def _without_detour(folder: Path) -> Path:
 
 def _check_place(folder: Path) -> None:
     """Raises InputError where there is something already, or nothing can be made."""
-    try:
-        if folder.is_symlink() or (folder.exists() and not folder.is_dir()):
-            raise InputError("this is no folder; name a new one for the data set", folder)
-        if folder.is_dir() and any(folder.iterdir()):
-            raise InputError(
-                "the folder is not empty, and nothing is overwritten; name a new one", folder
-            )
-    except OSError as error:
-        raise InputError(f"the folder cannot be used: {error.strerror}", shown(folder)) from None
+    if is_vacant(folder) and not folder.is_symlink():
+        return
+    what = "this is no folder"
+    if folder.is_dir() and not folder.is_symlink():
+        what = "the folder is not empty, and nothing is overwritten"
+    raise InputError(f"{what}; name a new one for the data set", folder)
 
 
 @contextmanager
