@@ -128,6 +128,8 @@ _ROWS = {
     "kinds": 4,
     "roles": 3,
     "units": 2,
+    "spellings": 2,
+    "counts": 0,
     "sure": 2,
     "data_sheets": 5,
     "nominal": 3,

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from pam_cosim.arrays import Array
 from pam_cosim.drafting.columns import RecordedColumn
-from pam_cosim.drafting.headings import Headings
+from pam_cosim.drafting.headings import VALVES, Headings
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, parse_quantity
@@ -106,12 +106,9 @@ def ratings(
     for rating in map(rating_of, filter(str.strip, text.split(";"))):
         inputs = valve_inputs(interface, headings)
         if rating.input and rating.input not in inputs:
-            valves = (
-                f"the bench has the valves of {', '.join(inputs)}"
-                if inputs
-                else "the bench has none"
-            )
-            raise InputError(f"--valve {shown(rating.text)}: no valve has this input; {valves}")
+            valves = f"the valves of {', '.join(inputs)}" if inputs else "none"
+            message = f"no valve has this input; the bench has {valves}"
+            raise InputError(f"--valve {shown(rating.text)}: {message}")
         name, scale = _calibration(rating, inputs, interface, headings)
         if isinstance(scale, Scale):
             scales |= dict.fromkeys([rating.input] if rating.input else inputs, scale)
@@ -152,12 +149,8 @@ def _calibration(
 
 def valve_inputs(interface: Interface, headings: Headings) -> Mapping[str, Variable]:
     """The inputs that open valves."""
-    kinds = {n: headings.variable(v) for n, v in interface.inputs.items()}
-    return {
-        n: interface.inputs[n]
-        for n, meaning in kinds.items()
-        if meaning and meaning.roles & {"inlet", "exhaust"}
-    }
+    meanings = headings.meanings(interface.inputs)
+    return {n: v for n, v in interface.inputs.items() if meanings[n].roles & VALVES}
 
 
 def _size(rating: Rating, unit: str, headings: Headings) -> float:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from textwrap import wrap
 
 from pam_cosim.drafting.benches import Bench
 from pam_cosim.drafting.entries import ColumnEntry, Mapped
-from pam_cosim.drafting.evidence import Evidence
+from pam_cosim.drafting.evidence import Evidence, used_in
+from pam_cosim.drafting.headings import Meaning
 from pam_cosim.drafting.roles import PointsDraft, Role, Sigma
 from pam_cosim.drafting.values import OpenParameters, StatedValue, text_of
 from pam_cosim.model.interface import Interface, Variable
@@ -54,6 +56,16 @@ class Draft:
     def interface(self) -> Interface:
         """Of the bench."""
         return self.bench.interface
+
+    @cached_property
+    def meanings(self) -> dict[str, Meaning]:
+        """What the inputs and outputs of the bench are."""
+        return self.evidence.headings.meanings({**self.interface.inputs, **self.interface.outputs})
+
+    @cached_property
+    def used(self) -> set[str]:
+        """The columns that are read, also in a formula."""
+        return {c.name for c in self.bench.choice.fed.values()} | used_in(self.evidence)
 
     @property
     def recordings(self) -> list[str]:

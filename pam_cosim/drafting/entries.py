@@ -14,7 +14,16 @@ from pam_cosim.drafting.benches import NO_PRESSURE, BenchChoice
 from pam_cosim.drafting.columns import RecordedColumn
 from pam_cosim.drafting.data_sheets import Scale
 from pam_cosim.drafting.evidence import Evidence
-from pam_cosim.drafting.headings import GRAVITY, Headings, Meaning, alike, meant
+from pam_cosim.drafting.headings import (
+    GRAVITY,
+    PRESSURE,
+    SET_PRESSURE,
+    UNKNOWN,
+    Headings,
+    Meaning,
+    alike,
+    meant,
+)
 from pam_cosim.drafting.shapes import (
     LEAST_CORRELATION,
     REST_BAND,
@@ -37,7 +46,9 @@ LONGEST = "the longest in any recording"
 """Where a length at rest comes from that is not stated."""
 SENSES = {1: "up", -1: "down", 0: "none"}
 """Directions as ``experiment.toml`` has them."""
-_FORCE, _PRESSURE, _SET = Meaning("force"), Meaning("pressure"), meant("pressure", "set")
+_FORCE = meant("force")
+Numbers = Mapping[int, Array]
+"""Of a signal, by recording: (n,) each."""
 
 
 @dataclass(frozen=True)
@@ -97,46 +108,45 @@ def map_columns(
     What the user states as a formula stays as it is; of a column that the user names, the sign too. Data sheets of
     ``valves`` scale the inputs that open them.
     """
-    headings, variables = evidence.headings, {**interface.inputs, **interface.outputs}
-    meanings = {name: headings.variable(variable) for name, variable in variables.items()}
+    variables = {**interface.inputs, **interface.outputs}
+    meanings = evidence.headings.meanings(variables)
     entries: dict[str, ColumnEntry] = {}
     if evidence.time is not None:
         time = evidence.time
         entries["time"] = ColumnEntry("time", time.name, _unit_to_state(time), why=time.why)
-    values: dict[str, dict[int, Array]] = {}
+    values: dict[str, Numbers] = {}
     for name, column in choice.fed.items():
         if name in valves:
             formula, values[name] = valves[name].entry(column)
             entries[name] = ColumnEntry(name, formula=formula, why=column.why)
-            continue
-        entries[name], values[name] = _named(name, column, variables[name], interface, evidence)
-    for name, formula in evidence.formulas.items():
-        entries[name] = ColumnEntry(name, formula=formula)
-    times = {i: _time(i, evidence) for i in range(len(evidence.sources))}
-    pressure = _first(values, meanings, _PRESSURE, _SET)
+        else:
+            named = _named(name, column, variables[name], interface, evidence)
+            entries[name], values[name] = named
+    entries |= {n: ColumnEntry(n, formula=text) for n, text in evidence.formulas.items()}
+    pressure = _first(values, meanings, PRESSURE, SET_PRESSURE)
     by_convention = [name for name in values if not variables[name].is_foreign]
     for name in sorted(by_convention, key=lambda name: meanings[name] != _FORCE):
         pull = _first(values, meanings, _FORCE) if name in interface.inputs else None
-        why = _why_reversed(values[name], meanings[name], choice.fed[name], pressure, pull)
+        column = choice.fed[name]
+        why = _why_reversed(values[name], meanings[name], column, pressure, pull)
         if why:
-            entries[name] = _turned(entries[name], choice.fed[name], why)
+            entries[name] = _turned(entries[name], column, why)
             values[name] = {i: -samples for i, samples in values[name].items()}
-    runs = _runs(interface, times, values, headings, moving=not evidence.points)
-    if evidence.points:
-        return Mapped(entries, runs)
-    for name in by_convention:
-        entry, zeros = _with_zero(
-            entries[name], name, choice, meanings, runs, pressure, variables[name]
+    runs = _runs(interface, values, evidence)
+    for name in by_convention if not evidence.points else ():
+        column, unit = choice.fed[name], variables[name].unit
+        is_output = name in choice.outputs
+        entries[name], zeros = _with_zero(
+            entries[name], column, is_output, meanings, runs, pressure, unit
         )
-        entries[name] = entry
         values[name] = {i: samples - zeros.get(i, 0.0) for i, samples in values[name].items()}
-    return Mapped(entries, _runs(interface, times, values, headings))
+    return Mapped(entries, runs if evidence.points else _runs(interface, values, evidence))
 
 
 def longest_of(choice: BenchChoice) -> float | None:
     """The longest length [m] in any recording of a column that is one; None: there is none."""
-    lengths = [c for c in choice.fed.values() if c.of("length")]
-    return max((float(np.nanmax(convert(c.samples, c.unit, "m"))) for c in lengths), default=None)
+    lengths = [c.converted("m") for c in choice.fed.values() if c.of("length")]
+    return max((float(np.nanmax(v)) for numbers in lengths for v in numbers.values()), default=None)
 
 
 def length_parameter(interface: Interface) -> str | None:
@@ -152,37 +162,37 @@ def _time(i: int, evidence: Evidence) -> Array:
     """(n,) [s]; of points at rest, their numbers."""
     if evidence.time is not None:
         return convert(evidence.time.values[i], evidence.time.unit, "s")
-    count = len(next(iter(evidence.sources[i].table.columns.values())).values)
     interval = evidence.recording.interval
     step = 1.0 if interval is None else parse_quantity(interval.value, "s")
-    return np.arange(count, dtype=np.float64) * step
+    return np.arange(evidence.sources[i].count, dtype=np.float64) * step
 
 
 def _first(
-    values: Mapping[str, dict[int, Array]], meanings: Mapping[str, Meaning | None], *wanted: Meaning
-) -> dict[int, Array] | None:
+    values: Mapping[str, Numbers], meanings: Mapping[str, Meaning], *wanted: Meaning
+) -> Numbers | None:
     """The numbers of the first column with one of these meanings, in their order."""
-    names = [name for meaning in wanted for name in values if meanings[name] == meaning]
-    return values[names[0]] if names else None
+    named = (values[name] for meaning in wanted for name in values if meanings[name] == meaning)
+    return next(named, None)
 
 
 def _runs(
-    interface: Interface,
-    times: Mapping[int, Array],
-    values: Mapping[str, Mapping[int, Array]],
-    headings: Headings,
-    moving: bool = True,
+    interface: Interface, values: Mapping[str, Numbers], evidence: Evidence
 ) -> tuple[MappedRun, ...]:
-    """The recordings; ``moving``: over time, so that they may rest."""
-    result = []
-    for i, time in times.items():
-        inputs = {n: v[i] for n, v in values.items() if n in interface.inputs and i in v}
-        outputs = {n: v[i] for n, v in values.items() if n in interface.outputs and i in v}
-        warm = [n for n in outputs if headings.fits(interface.outputs[n].unit, "temperature")]
-        quick = [v for n, v in outputs.items() if n not in warm]
-        at_rest = rests(time, [*inputs.values(), *quick]) if moving else []
-        result.append(MappedRun(time, inputs, outputs, tuple(at_rest)))
-    return tuple(result)
+    """The recordings; those of points at rest have no rests."""
+    runs = []
+    for i in range(len(evidence.sources)):
+        inputs, outputs = (
+            {n: v[i] for n, v in values.items() if n in side and i in v}
+            for side in (interface.inputs, interface.outputs)
+        )
+        time, at_rest = _time(i, evidence), list[Rest]()
+        if not evidence.points:
+            fits = evidence.headings.fits
+            slow = {n for n in outputs if fits(interface.outputs[n].unit, "temperature")}
+            quick = [v for n, v in outputs.items() if n not in slow]
+            at_rest = rests(time, [*inputs.values(), *quick])
+        runs.append(MappedRun(time, inputs, outputs, tuple(at_rest)))
+    return tuple(runs)
 
 
 # ---- name and scale --------------------------------------------------------------------------------------------------
@@ -195,27 +205,24 @@ def _unit_to_state(column: RecordedColumn) -> str | None:
 
 def _named(
     name: str, column: RecordedColumn, variable: Variable, interface: Interface, evidence: Evidence
-) -> tuple[ColumnEntry, dict[int, Array]]:
+) -> tuple[ColumnEntry, Numbers]:
     """The entry that renames a column or makes it what the bench calls so, and its numbers."""
     if column.kind == "direction" and not variable.is_foreign:
-        return _direction(name, column, evidence)
-    wanted = None if variable.is_foreign else evidence.headings.variable(variable)
-    if wanted and wanted.kind == "contraction" and column.kind in ("length", "ratio"):
+        return _direction(name, column)
+    wanted = UNKNOWN if variable.is_foreign else evidence.headings.variable(variable)
+    if wanted.kind == "contraction" and column.kind in ("length", "ratio"):
         return _contraction(name, column, interface, evidence.stated)
     if column.kind == "force" and column.unit and alike(column.unit, "kg"):
         gravity = parse_quantity(GRAVITY, "m/s2")
         numbers = {i: v * gravity for i, v in _converted(name, column, "kg").items()}
-        why = (*column.why, f"a force in {column.unit}, times gravity")
-        return scaled(name, column, GRAVITY, None, why), numbers
+        why = f"a force in {column.unit}, times gravity"
+        return scaled(name, column, GRAVITY, None, (*column.why, why)), numbers
     numbers = _converted(name, column, variable.unit)
-    if column.absolute and column.kind == "pressure" and variable.is_foreign:
-        why = (
-            *column.why,
-            f"its heading states an absolute pressure: state an offset if {name} is gauge",
-        )
-        return ColumnEntry(name, column.name, column.unit or None, why=why), numbers
     if column.absolute and column.kind == "pressure":
-        return _gauge_pressure(name, column, numbers, evidence.ambient_pressure)
+        if not variable.is_foreign:
+            return _gauge_pressure(name, column, numbers, evidence.ambient_pressure)
+        why = f"its heading states an absolute pressure: state an offset if {name} is gauge"
+        return ColumnEntry(name, column.name, column.unit or None, why=(*column.why, why)), numbers
     if column.formula:
         return ColumnEntry(name, formula=column.formula, why=column.why), numbers
     return ColumnEntry(name, column.name, _unit_to_state(column), why=column.why), numbers
@@ -228,29 +235,25 @@ def _converted(name: str, column: RecordedColumn, unit: str) -> dict[int, Array]
         InputError: its own is of another kind.
     """
     try:
-        return {i: convert(v, column.unit, unit) for i, v in column.values.items()}
+        return column.converted(unit)
     except UnitError as problem:
         formula = f"--column {name}='{shown(column.name)} * \"1 {unit}\"'".replace("''", "'")
         hint = f"name another column, or scale it, as in {formula}"
-        raise InputError(
-            f"column '{column.name}' cannot be taken for {name}: {problem}; {hint}"
-        ) from None
+        message = f"column '{column.name}' cannot be taken for {name}: {problem}; {hint}"
+        raise InputError(message) from None
 
 
 def _gauge_pressure(
-    name: str, column: RecordedColumn, numbers: dict[int, Array], ambient: RecordedColumn | None
-) -> tuple[ColumnEntry, dict[int, Array]]:
+    name: str, column: RecordedColumn, numbers: Numbers, ambient: RecordedColumn | None
+) -> tuple[ColumnEntry, Numbers]:
     """A gauge pressure that was recorded as an absolute one [Pa]."""
     outside, source = STANDARD_ATMOSPHERE, ""
     if ambient is not None:
         outside = float(np.nanmean(convert(ambient.samples, ambient.unit, "Pa")))
         source = f", the mean of {ambient.name}"
     text = f"{outside / 1e3:.6g} kPa"
-    why = (
-        *column.why,
-        f"its heading states an absolute pressure; the ambient is taken as {text}{source}",
-    )
-    entry = scaled(name, column, None, f"-{text}", why)
+    why = f"its heading states an absolute pressure; the ambient is taken as {text}{source}"
+    entry = scaled(name, column, None, f"-{text}", (*column.why, why))
     return entry, {i: v - outside for i, v in numbers.items()}
 
 
@@ -271,28 +274,24 @@ def scaled(
 
 def _contraction(
     name: str, column: RecordedColumn, interface: Interface, stated: Mapping[str, str]
-) -> tuple[ColumnEntry, dict[int, Array]]:
+) -> tuple[ColumnEntry, Numbers]:
     """A contraction made of a length or of a ratio."""
-    parameter = length_parameter(interface)
+    parameter = length_parameter(interface) or ""
     if column.kind == "ratio":
-        value, source = "1 m", ""
-        if parameter is not None:
-            usual = f"{interface.parameters[parameter].start:g} m"
-            default = f"the bench's default of {parameter}, state yours and change it here"
-            value, source = (
-                stated.get(parameter, usual),
-                "stated" if parameter in stated else default,
-            )
-        length = parse_quantity(value, "m")
-        numbers = {i: convert(v, column.unit, "1") * length for i, v in column.values.items()}
+        value, source = stated.get(parameter, "1 m"), "stated" if parameter in stated else ""
+        if parameter and not source:
+            value = f"{interface.parameters[parameter].start:g} m"
+            source = f"the bench's default of {parameter}, state yours and change it here"
         why = f"it is a ratio, times the length at rest, {value}: {source}"
+        length = parse_quantity(value, "m")
+        numbers = {i: v * length for i, v in column.converted("1").items()}
         return scaled(name, column, value, None, (*column.why, why)), numbers
-    lengths = {i: convert(v, column.unit, "m") for i, v in column.values.items()}
+    lengths = column.converted("m")
     value, source = f"{max(float(np.nanmax(v)) for v in lengths.values()):.6g} m", LONGEST
     if parameter in stated:
-        value, source = stated[str(parameter)], "stated"
-    length = parse_quantity(value, "m")
+        value, source = stated[parameter], "stated"
     why = f"it is a length: the contraction is what is missing to {value}, {source}"
+    length = parse_quantity(value, "m")
     entry = scaled(name, column, "-1", value, (*column.why, why))
     return entry, {i: length - v for i, v in lengths.items()}
 
@@ -307,51 +306,47 @@ def with_directions(columns: Sequence[RecordedColumn], headings: Headings) -> li
 
 def _with_senses(column: RecordedColumn, headings: Headings) -> RecordedColumn:
     """A column of directions with the way that each of its values means; none, where it has more than three."""
-    values = [float(v) for v in np.unique(column.samples[np.isfinite(column.samples)])]
+    values = np.unique(column.samples[np.isfinite(column.samples)]).tolist()
     if len(values) > 3:
-        return replace(column, meaning=None)
+        return replace(column, meaning=UNKNOWN)
     if column.words:
-        senses_of_words = {v: headings.direction_word(column.words[int(v)]) for v in values}
-        return replace(column, senses=senses_of_words, why=("its words say so",))
-    senses = {v: 1 if v == values[-1] else -1 if v == values[0] else 0 for v in values}
-    if len(values) < 2:
-        senses = {v: int(np.sign(v)) for v in values}
+        senses = {v: headings.direction_word(column.words[int(v)]) for v in values}
+        return replace(column, senses=senses, why=("its words say so",))
+    ends = dict(zip((values[0], values[-1]), (-1, 1), strict=True)) if len(values) > 1 else {}
+    senses = {v: ends.get(v, 0) for v in values} if ends else {v: int(np.sign(v)) for v in values}
     return replace(column, senses=senses, why=("the larger is taken for up",))
 
 
-def _direction(
-    name: str, column: RecordedColumn, evidence: Evidence
-) -> tuple[ColumnEntry, dict[int, Array]]:
+def _direction(name: str, column: RecordedColumn) -> tuple[ColumnEntry, Numbers]:
     """Words for directions, or a formula that gives 1 and -1."""
-    values = {
-        i: np.array([float(column.senses.get(v, 0)) for v in samples.tolist()])
+    senses = column.senses
+    numbers = {
+        i: np.array([float(senses.get(v, 0)) for v in samples.tolist()])
         for i, samples in column.values.items()
     }
+    entry = ColumnEntry(name, column.name, why=column.why)
     if column.words:
-        ways = {w: SENSES[column.senses.get(float(i), 0)] for i, w in enumerate(column.words)}
-        return ColumnEntry(name, column.name, why=column.why, words=ways), values
-    if all(number == sense for number, sense in column.senses.items()):
-        return ColumnEntry(name, column.name, why=column.why), values
-    numbers = {sense: number for number, sense in reversed(column.senses.items())}
-    up, down = numbers.get(1), numbers.get(-1)
-    if up is None or down is None or len(column.senses) > 2:
+        words = {word: SENSES[senses.get(float(i), 0)] for i, word in enumerate(column.words)}
+        return replace(entry, words=words), numbers
+    if all(number == sense for number, sense in senses.items()):
+        return entry, numbers
+    values = {sense: number for number, sense in reversed(senses.items())}
+    if not {1, -1} <= values.keys() or len(senses) > 2:
         hint = f"leave it out: --recording 'ignore={column.name}'"
         raise InputError(f"the values of {column.name} are no directions; {hint}")
-    scale, offset = 2.0 / (up - down), -(up + down) / (up - down)
-    return ColumnEntry(
-        name, column.name, gain=f"{scale:g}", offset=f"{offset:g}", why=column.why
-    ), values
+    middle, half = (values[1] + values[-1]) / 2.0, (values[1] - values[-1]) / 2.0
+    return replace(entry, gain=f"{1.0 / half:g}", offset=f"{-middle / half:g}"), numbers
 
 
 # ---- the sign of a contraction or a force, by the numbers that were recorded -----------------------------------------
 
 
 def _why_reversed(
-    values: Mapping[int, Array],
-    meaning: Meaning | None,
+    values: Numbers,
+    meaning: Meaning,
     column: RecordedColumn,
-    pressure: Mapping[int, Array] | None,
-    pull: Mapping[int, Array] | None,
+    pressure: Numbers | None,
+    pull: Numbers | None,
 ) -> str:
     """Why a signal counts the other way; "" where it does not.
 
@@ -359,18 +354,12 @@ def _why_reversed(
     pressure moves, counts the other way where the pull, at equal pressure, rises with it: a muscle that is shorter
     pulls less, but against a spring more. A length has a sign by itself.
     """
-    if meaning is None or column.of("length"):
-        return ""
     if meaning.kind == "force":
         samples = np.concatenate(list(values.values()))
         low, high = float(np.nanmin(samples)), float(np.nanmax(samples))
         negative = float(np.nanmean(samples)) < 0.0 and abs(low) > abs(high)
-        return (
-            "it is below zero: its sign is turned round, so that a pull is positive"
-            if negative
-            else ""
-        )
-    if meaning.kind != "contraction" or pressure is None:
+        return "it is below zero: its sign is turned round, so that a pull is positive" * negative
+    if meaning.kind != "contraction" or pressure is None or column.of("length"):
         return ""
     together = correlation(pressure, values)
     if together < -LEAST_CORRELATION:
@@ -381,9 +370,7 @@ def _why_reversed(
     return "the pull rises with it at equal pressure: its sign is turned round"
 
 
-def _at_equal(
-    third: Mapping[int, Array], first: Mapping[int, Array], second: Mapping[int, Array]
-) -> float:
+def _at_equal(third: Numbers, first: Numbers, second: Numbers) -> float:
     """Partial correlation of two signals, without what each has in common with a third."""
     simple = correlation(first, second)
     with_first, with_second = correlation(third, first), correlation(third, second)
@@ -414,18 +401,23 @@ class _Begin:
     """What a signal reads where recordings begin.
 
     Attributes:
+        runs: recordings that have it.
         readings: by recording, the mean of its first rest, or of first samples that are still; ``errors`` of these.
-        resting: recordings that rest long enough for an interval.
         moved: the largest span of the signal in a recording.
         lowest: value in any recording; ``largest`` magnitude.
     """
 
+    runs: Mapping[int, MappedRun]
     readings: dict[int, float]
     errors: dict[int, float]
-    resting: frozenset[int]
     moved: float
     lowest: float
     largest: float
+
+    @property
+    def rests(self) -> dict[int, Rest]:
+        """The first rests, of the recordings that begin with one and have readings there."""
+        return {i: rest for i in self.readings if (rest := self.runs[i].first_rest) is not None}
 
     @property
     def reading(self) -> float:
@@ -435,32 +427,25 @@ class _Begin:
     @property
     def far(self) -> bool:
         """Whether it is away from zero by more than its error, in some recording."""
-        return any(
-            abs(reading) > NONZERO_READING * self.errors[i] for i, reading in self.readings.items()
-        )
+        return any(abs(r) > NONZERO_READING * self.errors[i] for i, r in self.readings.items())
 
     @property
     def slight(self) -> bool:
         """Whether it is away by a small part of what the signal moves, in all."""
-        return all(
-            abs(reading) <= CRITERIA.starts.offset * self.moved
-            for reading in self.readings.values()
-        )
+        return abs(self.reading) <= CRITERIA.starts.offset * self.moved
 
     @property
     def absolute(self) -> bool:
         """Whether it is that of the atmosphere in all, and the signal moves."""
         low, high = ATMOSPHERES
-        return self.moved > 0.0 and all(
-            low <= reading <= high for reading in self.readings.values()
-        )
+        return self.moved > 0.0 and all(low <= r <= high for r in self.readings.values())
 
     @property
     def same(self) -> bool:
         """Whether all recordings begin with the same reading."""
-        tolerances = {i: NONZERO_READING * error for i, error in self.errors.items()}
         middle = float(np.median([*self.readings.values()]))
-        return all(abs(reading - middle) <= tolerances[i] for i, reading in self.readings.items())
+        away = {i: abs(reading - middle) for i, reading in self.readings.items()}
+        return all(away[i] <= NONZERO_READING * self.errors[i] for i in away)
 
     @property
     def common(self) -> bool:
@@ -469,9 +454,11 @@ class _Begin:
         return self.moved > 0.0 and low and self.same
 
 
-def _begin(name: str, runs: Mapping[int, MappedRun]) -> _Begin:
+def _begin(name: str, runs: Sequence[MappedRun]) -> _Begin | None:
+    """Where a signal begins; None: no recording has it and begins still."""
+    having = {i: run for i, run in enumerate(runs) if name in run.signals}
     readings, errors = {}, {}
-    for i, run in runs.items():
+    for i, run in having.items():
         values, count = run.signals[name], 0
         if run.first_rest is not None:
             count = run.first_rest.stop
@@ -482,12 +469,14 @@ def _begin(name: str, runs: Mapping[int, MappedRun]) -> _Begin:
             least = REST_BAND * span(values) / NONZERO_READING
             readings[i] = float(np.mean(part))
             errors[i] = max(noise_of(run.time, values) / sqrt(part.size), least)
-    signals = [run.signals[name] for run in runs.values()]
+    signals = [run.signals[name] for run in having.values()]
+    if not readings:
+        return None
     return _Begin(
+        having,
         readings,
         errors,
-        frozenset(i for i, run in runs.items() if run.first_rest is not None and i in readings),
-        moved=max(map(span, signals), default=0.0),
+        moved=max(map(span, signals)),
         lowest=min(float(np.nanmin(v)) for v in signals),
         largest=max(float(np.nanmax(np.abs(v))) for v in signals),
     )
@@ -495,132 +484,107 @@ def _begin(name: str, runs: Mapping[int, MappedRun]) -> _Begin:
 
 def _still(time: Array, values: Array) -> np.ndarray:
     """(n,) the first samples, as long as they stay where the first five are."""
-    first = float(np.nanmean(values[:5]))
-    is_near = np.abs(values - first) <= max(
-        NONZERO_READING * noise_of(time, values), REST_BAND * span(values)
-    )
+    band = max(NONZERO_READING * noise_of(time, values), REST_BAND * span(values))
+    is_near = np.abs(values - float(np.nanmean(values[:5]))) <= band
     return np.cumprod(is_near | ~np.isfinite(values)).astype(bool)
 
 
 def _with_zero(
     entry: ColumnEntry,
-    name: str,
-    choice: BenchChoice,
-    meanings: Mapping[str, Meaning | None],
+    column: RecordedColumn,
+    is_output: bool,
+    meanings: Mapping[str, Meaning],
     runs: Sequence[MappedRun],
-    pressure: dict[int, Array] | None,
-    variable: Variable,
+    pressure: Numbers | None,
+    unit: str,
 ) -> tuple[ColumnEntry, dict[int, float]]:
     """The entry with a zero from where recordings begin, if it is away from zero there; and the zero by recording.
 
     Where each rests long enough, it is the mean of an interval. Else it is one number for all: a zero belongs to the
     instrument, so that recordings at rest determine it for the others.
     """
-    meaning = meanings[name]
-    having = {i: run for i, run in enumerate(runs) if name in run.signals}
-    begin = _begin(name, having) if having and meaning is not None else None
-    if begin is None or meaning is None or not begin.readings:
+    meaning, begin = meanings[entry.name], _begin(entry.name, runs)
+    if begin is None or not meaning:
         return entry, {}
     reason = ""
-    if meaning == _PRESSURE or (
-        meaning == _SET and begin.absolute and _reads_absolute(meanings, runs)
+    if meaning == PRESSURE or (
+        meaning == SET_PRESSURE and begin.absolute and _reads_absolute(meanings, runs)
     ):
         reason = _reason_of_gauge(begin)
-    elif begin.far and _unloaded(having, pressure, begin):
-        is_clear = name in choice.outputs or begin.common
-        reason = _reason_of_unloaded(meaning, begin) if is_clear else ""
-    complete = begin.resting == having.keys()
+    elif begin.far and _unloaded(begin, pressure) and (is_output or begin.common):
+        reason = _reason_of_unloaded(meaning, begin)
+    complete = begin.rests.keys() == begin.runs.keys()
     if not reason or not (complete or begin.same):
         return entry, {}
-    reading = format_quantity(begin.reading, variable.unit)
-    why = f"{reason.format(reading=reading)}: its zero"
+    why = f"{reason.format(reading=format_quantity(begin.reading, unit))}: its zero"
     if complete:
-        zero = _intervals(having)
-        return replace(entry, zero=zero, why=(*entry.why, why)), _means(having, name, zero)
+        zero = _intervals(begin)
+        means = {i: _mean(begin.runs[i], entry.name, *interval) for i, interval in zero.items()}
+        return replace(entry, zero=zero, why=(*entry.why, why)), means
     value = float(np.median([*begin.readings.values()]))
-    count = f"{len(begin.readings)} of {len(having)} recordings"
-    shifted = _less(entry, choice.fed[name], value, variable.unit)
-    return replace(
-        shifted, why=(*entry.why, f"{why}, of the {count} that begin at rest")
-    ), dict.fromkeys(having, value)
+    count = f"{len(begin.readings)} of {len(begin.runs)} recordings"
+    why = f"{why}, of the {count} that begin at rest"
+    shifted = replace(_less(entry, column, value, unit), why=(*entry.why, why))
+    return shifted, dict.fromkeys(begin.runs, value)
 
 
 def _less(entry: ColumnEntry, column: RecordedColumn, value: float, unit: str) -> ColumnEntry:
     """The entry less a number [unit]."""
     text = f"{-value:.6g} {unit}".strip()
-    if entry.formula is None and entry.gain is None:
-        return (
-            scaled(entry.name, column, None, f"{-value:.6g} {unit}".strip(), entry.why)
-            if column.readable and value > 0
-            else (replace(entry, gain="1", offset=text))
-        )
     if entry.formula is not None:
         return replace(entry, formula=f'{entry.formula} + "{text}"')
-    return replace(entry, offset=text) if entry.offset is None else entry
+    if entry.gain is None and column.readable and value > 0:
+        return scaled(entry.name, column, None, text, entry.why)
+    return replace(entry, gain=entry.gain or "1", offset=entry.offset or text)
 
 
-def _reads_absolute(meanings: Mapping[str, Meaning | None], runs: Sequence[MappedRun]) -> bool:
+def _reads_absolute(meanings: Mapping[str, Meaning], runs: Sequence[MappedRun]) -> bool:
     """Whether the pressure of a muscle begins with that of the atmosphere in all recordings that have it."""
-    for name in (n for n, meaning in meanings.items() if meaning == _PRESSURE):
-        having = {i: run for i, run in enumerate(runs) if name in run.signals}
-        if having and (begin := _begin(name, having)).readings and begin.absolute:
-            return True
-    return False
+    begins = [_begin(name, runs) for name, meaning in meanings.items() if meaning == PRESSURE]
+    return any(begin is not None and begin.absolute for begin in begins)
 
 
 def _reason_of_gauge(begin: _Begin) -> str:
     """Why a pressure gets a zero; "" where it needs none."""
     if begin.absolute:
         return f"it begins with {{reading}}, {ABSOLUTE_GAUGE}"
-    return "it begins at rest with {reading}" if begin.far and begin.slight else ""
+    return "it begins at rest with {reading}" * (begin.far and begin.slight)
 
 
 def _reason_of_unloaded(meaning: Meaning, begin: _Begin) -> str:
     """Why what is read of a muscle without pressure gets a zero; "" where it needs none."""
-    small_force = (
-        meaning.kind == "force" and abs(begin.reading) <= CRITERIA.starts.offset * begin.largest
-    )
-    if meaning.kind == "contraction" or small_force:
-        return "it begins at rest, without pressure, with {reading}"
-    return ""
+    is_small = abs(begin.reading) <= CRITERIA.starts.offset * begin.largest
+    needed = meaning.kind == "contraction" or (meaning.kind == "force" and is_small)
+    return "it begins at rest, without pressure, with {reading}" * needed
 
 
-def _unloaded(
-    runs: Mapping[int, MappedRun], pressure: dict[int, Array] | None, begin: _Begin
-) -> bool:
-    """Whether there is no pressure at the start of any of them, but for an offset."""
-    if pressure is None:
-        return False
-    measured = [i for i in begin.readings if i in pressure]
-    largest = max((span(pressure[i]) for i in measured), default=0.0)
-    first = {i: runs[i].first_rest.stop if i in begin.resting else 5 for i in measured}  # type: ignore[union-attr]
-    offsets = [
-        float(np.nanmean(pressure[i][: first[i]] - np.nanmin(pressure[i]))) for i in measured
-    ]
+def _unloaded(begin: _Begin, pressure: Numbers | None) -> bool:
+    """Whether there is no pressure at the start of any recording, but for an offset."""
+    measured = {i: v for i, v in (pressure or {}).items() if i in begin.readings}
+    largest = max(map(span, measured.values()), default=0.0)
+    first = {i: begin.rests[i].stop if i in begin.rests else 5 for i in measured}
+    offsets = [float(np.nanmean(v[: first[i]]) - np.nanmin(v)) for i, v in measured.items()]
     return largest > 0.0 and all(offset <= NO_PRESSURE * largest for offset in offsets)
 
 
-def _intervals(runs: Mapping[int, MappedRun]) -> dict[int, tuple[float, float]]:
+def _intervals(begin: _Begin) -> dict[int, tuple[float, float]]:
     """One interval for all recordings, where their rests have enough samples in common."""
-    each = {}
-    for i, run in runs.items():
-        assert run.first_rest is not None
-        each[i] = float(run.time[run.first_rest.start]), float(run.time[run.first_rest.stop - 1])
-    start, stop = max(begin for begin, _ in each.values()), min(end for _, end in each.values())
-    inside = [int(np.sum((runs[i].time >= start) & (runs[i].time <= stop))) for i in each]
+    times = {i: begin.runs[i].time for i in begin.rests}
+    each = {
+        i: (float(times[i][rest.start]), float(times[i][rest.stop - 1]))
+        for i, rest in begin.rests.items()
+    }
+    starts, ends = zip(*each.values(), strict=True)
+    start, stop = max(starts), min(ends)
+    inside = [int(np.sum((time >= start) & (time <= stop))) for time in times.values()]
     enough = min(inside) >= CRITERIA.noise.fewest_samples
     return dict.fromkeys(each, (start, stop)) if enough else each
 
 
-def _means(
-    runs: Mapping[int, MappedRun], name: str, zero: Mapping[int, tuple[float, float]]
-) -> dict[int, float]:
-    """The mean of a signal in the interval of its zero, by recording."""
-    means = {}
-    for i, (start, stop) in zero.items():
-        inside = runs[i].signals[name][(runs[i].time >= start) & (runs[i].time <= stop)]
-        means[i] = float(np.mean(inside[np.isfinite(inside)])) if np.isfinite(inside).any() else 0.0
-    return means
+def _mean(run: MappedRun, name: str, start: float, stop: float) -> float:
+    """The mean of a signal in the interval of its zero."""
+    inside = run.signals[name][(run.time >= start) & (run.time <= stop)]
+    return float(np.mean(inside[np.isfinite(inside)])) if np.isfinite(inside).any() else 0.0
 
 
 def readings_of(mapped: Mapped, names: Iterable[str]) -> Array:

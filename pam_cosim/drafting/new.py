@@ -175,17 +175,12 @@ def _draft(
     by_run = any(role.role == "holdout" for role in guessed) or bool(requests.roles)
     measured = {*choice.outputs, *evidence.formulas}
     outputs = [name for name in interface.outputs if name in measured]
-    kinds = {
-        n: meaning.kind if (meaning := headings.variable(interface.outputs[n])) else ""
-        for n in outputs
-    }
+    meanings = headings.meanings({n: interface.outputs[n] for n in outputs})
+    kinds = {meaning.kind for meaning in meanings.values()}
     # A thermometer lags behind the gas of a muscle: it is compared, and nothing is fitted to it.
-    moves = bool({*kinds.values()} & {*MECHANICAL}) or any(
-        c.kind in MECHANICAL for c in choice.inputs.values()
-    )
-    only_shown = [name for name in outputs if kinds[name] == "temperature" and moves]
-    fitted = [name for name in outputs if name not in only_shown]
-    is_warm = "temperature" in kinds.values()
+    moves = not {*kinds, *(c.kind for c in choice.inputs.values())}.isdisjoint(MECHANICAL)
+    slow = [name for name in outputs if meanings[name].kind == "temperature" and moves]
+    fitted = [name for name in outputs if name not in slow]
     return Draft(
         title=requests.title or folder.resolve().name,
         evidence=evidence,
@@ -194,10 +189,12 @@ def _draft(
         files=copies,
         ignored=_ignored(bench, evidence, mapped),
         sigmas={name: _sigma(name, bench, evidence, mapped) for name in fitted},
-        shown=only_shown if fitted else [],
+        shown=slow if fitted else [],
         follows=follows,
         run_values=values_by_run,
-        open=_determined(open_parameters(interface, headings, evidence.points), is_warm),
+        open=_determined(
+            open_parameters(interface, headings, evidence.points), "temperature" in kinds
+        ),
         roles=stated_roles(guessed, evidence.sources, requests.roles or {}),
         interpolation=interpolation_of(_set_columns(bench, evidence), headings),
         points=points_draft(mapped.runs, interface, evidence.files, by_run, headings)
@@ -209,11 +206,11 @@ def _draft(
 
 def _determined(parameters: OpenParameters, is_warm: bool) -> OpenParameters:
     """The parameters, of which those that act through a temperature are free only where one was recorded."""
-    free = {
-        n: v for n, v in parameters.free.items() if is_warm or "K" not in v.unit.replace("kg", "")
-    }
-    more = {n: v for n, v in parameters.free.items() if n not in free}
-    return replace(parameters, free=free, perhaps={**parameters.perhaps, **more})
+    warm = {n: v for n, v in parameters.free.items() if "K" in v.unit.replace("kg", "")}
+    if is_warm:
+        return parameters
+    free = {n: v for n, v in parameters.free.items() if n not in warm}
+    return replace(parameters, free=free, perhaps={**parameters.perhaps, **warm})
 
 
 def _guessed_roles(
@@ -223,32 +220,21 @@ def _guessed_roles(
     values_by_run: Sequence[Mapping[str, StatedValue]],
 ) -> list[Role]:
     """Which recordings are held out; none, where the length or load of a recording is unknown."""
-    mechanical = [
-        name
-        for name in bench.choice.unfed
-        if (meaning := evidence.headings.variable(bench.interface.inputs[name]))
-        and meaning.kind in MECHANICAL
-    ]
-    unknown = [
-        n
-        for n in mechanical
-        if n not in evidence.stated and not all(n in run for run in evidence.run_parameters)
-    ]
-    if unknown:
-        return [Role("fit") for _ in mapped.runs]
+    unfed = {n: bench.interface.inputs[n] for n in bench.choice.unfed}
+    meanings = evidence.headings.meanings(unfed)
+    for name in (n for n, meaning in meanings.items() if meaning.kind in MECHANICAL):
+        if name not in evidence.stated and not all(name in run for run in evidence.run_parameters):
+            return [Role("fit") for _ in mapped.runs]
     traits = [{n: value.number for n, value in run.items()} for run in values_by_run]
     return roles(mapped.runs, bench.interface, traits)
 
 
 def _sigma(name: str, bench: Bench, evidence: Evidence, mapped: Mapped) -> Sigma:
+    estimated = "the software estimates it from"
     if name in evidence.formulas:
-        return Sigma(
-            None, "it is of a formula of yours: the software estimates it from the samples"
-        )
+        return Sigma(None, f"it is of a formula of yours: {estimated} the samples")
     if evidence.points:
-        return Sigma(
-            None, "the rows are points at rest: the software estimates it from neighbouring ones"
-        )
+        return Sigma(None, f"the rows are points at rest: {estimated} neighbouring ones")
     return sigma_of(name, bench.interface.outputs[name].unit, mapped.runs, evidence.files)
 
 
@@ -256,8 +242,7 @@ def _set_columns(bench: Bench, evidence: Evidence) -> list[RecordedColumn]:
     """The columns that feed inputs, as they are or by a formula."""
     inputs = {n: text for n, text in evidence.formulas.items() if n in bench.interface.inputs}
     names = used_in(replace(evidence, formulas=inputs))
-    fed = [c for c in bench.choice.inputs.values()]
-    return [*fed, *(c for c in evidence.columns if c.name in names)]
+    return [*bench.choice.inputs.values(), *(c for c in evidence.columns if c.name in names)]
 
 
 _IGNORED_KINDS = {
@@ -273,26 +258,21 @@ def _ignored(bench: Bench, evidence: Evidence, mapped: Mapped) -> dict[str, str]
     used = {entry.column for entry in mapped.entries.values()} | used_in(evidence)
     used |= {c.name for c in bench.choice.fed.values()}
     names = {column.meaning: name for name, column in bench.choice.fed.items()}
-    remaining = [c for c in evidence.columns if c.name not in used]
     reasons: dict[str, str] = {}
     if not any(source.is_merged for source in evidence.sources):
         reasons = dict.fromkeys(evidence.recording.ignore or (), "as you state")
-        reasons |= {
-            name: "a column of text" for source in evidence.sources for name in source.texts
-        }
-    for column in remaining:
+        for source in evidence.sources:
+            reasons |= dict.fromkeys(source.texts, "a column of text")
+    for column in (c for c in evidence.columns if c.name not in used):
         meaning = column.meaning
-        around = meaning is not None and (
-            meaning.kind == "mass" or bool(meaning.roles & {"ambient", "rest"})
-        )
+        around = column.kind == "mass" or not meaning.roles.isdisjoint(("ambient", "rest"))
         what = "a parameter" if around else "neither an input nor an output of this bench"
-        why = f"{meaning}, {what}"
-        if meaning is None:
+        why = _IGNORED_KINDS.get(column.kind, f"{meaning}, {what}")
+        if not meaning:
             why = "; ".join(column.why) or "it is not recognised"
-        elif meaning.kind in _IGNORED_KINDS:
-            why = _IGNORED_KINDS[meaning.kind]
-        elif meaning in names:
-            why = f"it may be {names[meaning]} instead; --column {names[meaning]}='{column.name}' selects it"
+        elif meaning in names and column.kind not in _IGNORED_KINDS:
+            name = names[meaning]
+            why = f"it may be {name} instead; --column {name}='{column.name}' selects it"
         reasons[column.name] = why
     return reasons
 

@@ -16,8 +16,7 @@ from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn, scaling
 from pam_cosim.drafting.data_sheets import EXAMPLES
 from pam_cosim.drafting.document import Draft, bounds
 from pam_cosim.drafting.entries import ABSOLUTE_GAUGE, LONGEST, SENSES, ColumnEntry, readings_of
-from pam_cosim.drafting.evidence import used_in
-from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, Meaning, meant
+from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, PRESSURE, SET_PRESSURE, meant
 from pam_cosim.drafting.shapes import begins_still, span
 from pam_cosim.drafting.values import is_geometry
 from pam_cosim.measurement import DataSet
@@ -173,19 +172,9 @@ def questions(draft: Draft) -> tuple[str, ...]:
     return tuple(sentence for question in topics for sentence in question(draft))
 
 
-def _meanings(draft: Draft) -> dict[str, Meaning | None]:
-    variables = {**draft.interface.inputs, **draft.interface.outputs}
-    return {n: draft.evidence.headings.variable(v) for n, v in variables.items()}
-
-
-def _used(draft: Draft) -> set[str]:
-    """The columns that are read, also in a formula."""
-    return {c.name for c in draft.bench.choice.fed.values()} | used_in(draft.evidence)
-
-
 def _what_holds_it(draft: Draft) -> Iterator[str]:
     """Whether the load end hangs, is sprung or is held, where the recordings do not determine that."""
-    meanings, choice = _meanings(draft), draft.bench.choice
+    choice = draft.bench.choice
     recorded = {c.kind for c in draft.evidence.signals}
     for name, column in choice.moving_lengths.items():
         if draft.points is None and choice.freer:
@@ -200,7 +189,7 @@ def _what_holds_it(draft: Draft) -> Iterator[str]:
             f"{choice.inputs[forces[0]].name} is the reading of a load cell, name the bench, --model NAME "
             "('pam-cosim bench --list')"
         )
-    has_body = any(meaning and meaning.kind in MECHANICAL for meaning in meanings.values())
+    has_body = any(meaning.kind in MECHANICAL for meaning in draft.meanings.values())
     if draft.bench.why and not recorded & set(MECHANICAL) and not draft.points and not has_body:
         yield (
             "neither a length nor a force was recorded, so that this is taken for a vessel of fixed volume: if it "
@@ -215,9 +204,8 @@ def _what_drives_it(draft: Draft) -> Iterator[str]:
         description = draft.interface.inputs[name].description
         hint = f"--parameter '{name}=...', --column {name}=..., or of each file --parameter {name}@FILE=..."
         yield f"no column and no line of the files states the input {name} ({description}): {hint}"
-    volts = [
-        c for c in draft.evidence.columns if c.kind == "voltage" and c.name not in _used(draft)
-    ]
+    unused = [c for c in draft.evidence.columns if c.name not in draft.used]
+    volts = [c for c in unused if c.kind == "voltage"]
     for column in volts:
         roles = draft.evidence.headings.roles_of(column.name)
         valve = "u_out" if "exhaust" in roles else "u_in" if "inlet" in roles else ""
@@ -334,11 +322,9 @@ def _markers(draft: Draft) -> Iterator[str]:
 
 def _pressures(draft: Draft) -> Array:
     """Every pressure in the muscle, or the set points, that was recorded."""
-    meanings = _meanings(draft)
-    wanted = (meant("pressure"), meant("pressure", "set"))
-    return readings_of(
-        draft.mapped, [n for kind in wanted for n, meaning in meanings.items() if meaning == kind]
-    )
+    wanted = (PRESSURE, SET_PRESSURE)
+    names = [n for kind in wanted for n, meaning in draft.meanings.items() if meaning == kind]
+    return readings_of(draft.mapped, names)
 
 
 def _never_at_rest(draft: Draft) -> Iterator[str]:
@@ -359,18 +345,14 @@ def _never_at_rest(draft: Draft) -> Iterator[str]:
 
 def below_zero(draft: Draft) -> Iterator[tuple[str, float, str]]:
     """Contractions of which a muscle would be far longer than at rest: signal, least value, and what to type."""
-    for name, meaning in _meanings(draft).items():
+    fed = draft.bench.choice.fed.items() if draft.points is None else ()
+    for name, column in fed:
         values = readings_of(draft.mapped, [name])
-        if (
-            meaning != Meaning("contraction")
-            or draft.points
-            or name in draft.evidence.formulas
-            or not values.size
-        ):
+        if draft.meanings[name] != meant("contraction") or not values.size:
             continue
         least = float(np.nanmin(values))
         if least < -CRITERIA.starts.offset * span(values):
-            column, far = draft.bench.choice.fed[name], format_quantity(-least, "m")
+            far = format_quantity(-least, "m")
             term = column.name if column.name.isidentifier() else f"'{column.name}'"
             term += "" if column.stated else f' * "1 {column.unit}"'
             turned = (draft.mapped.entries[name].formula or "").startswith("-")
@@ -392,7 +374,7 @@ def _absolute(draft: Draft) -> Iterator[str]:
     absolute = [e.name for e in entries.values() if any(ABSOLUTE_GAUGE in why for why in e.why)]
     supplies = [
         n
-        for n, meaning in _meanings(draft).items()
+        for n, meaning in draft.meanings.items()
         if meaning == meant("pressure", "supply") and n in entries
     ]
     for name in supplies if absolute else ():
@@ -420,7 +402,7 @@ def _angles(draft: Draft) -> Iterator[str]:
     """Angles that are not read, as of a pulley; directions of which no word is known."""
     lengths = any(c.kind in LENGTHS for c in draft.bench.choice.fed.values())
     for column in draft.evidence.columns:
-        if column.kind == "angle" and not lengths and column.name not in _used(draft):
+        if column.kind == "angle" and not lengths and column.name not in draft.used:
             yield (
                 f"{column.name} is an angle: if the load hangs on a pulley, state its radius, as in --column "
                 f"{scaling('x', column.name, '20 mm/rad')}"

@@ -62,17 +62,13 @@ def with_full_names(evidence: Evidence, interface: Interface) -> Evidence:
     """With the one parameter that has all parts of a name in their order, where the bench has none of that name."""
     settable = {**interface.parameters, **interface.inputs}
 
-    def full(name: str) -> str:
-        longer = [n for n in settable if name not in settable and has_parts(name, n)]
-        return longer[0] if len(longer) == 1 else name
+    def full(values: Mapping[str, str]) -> dict[str, str]:
+        longer = {name: [n for n in settable if has_parts(name, n)] for name in values}
+        is_short = {n: n not in settable and len(names) == 1 for n, names in longer.items()}
+        return {longer[n][0] if is_short[n] else n: value for n, value in values.items()}
 
-    return replace(
-        evidence,
-        stated={full(name): value for name, value in evidence.stated.items()},
-        run_parameters=tuple(
-            {full(n): value for n, value in run.items()} for run in evidence.run_parameters
-        ),
-    )
+    run_parameters = tuple(map(full, evidence.run_parameters))
+    return replace(evidence, stated=full(evidence.stated), run_parameters=run_parameters)
 
 
 def with_length(evidence: Evidence, bench: Bench) -> Evidence:
@@ -125,14 +121,12 @@ def neutral(evidence: Evidence, bench: Bench) -> dict[str, str]:
     if bench.muscle or evidence.points:
         return {}
     values = dict(evidence.headings.vocabulary.neutral)
-    last_names = {
-        n: n.rpartition(".")[2] for n in bench.interface.parameters if n not in evidence.stated
-    }
-    owners = {n.rpartition(".")[0] for n in evidence.stated if n.rpartition(".")[2] in values}
+    parts = {n: n.rpartition(".") for n in (*bench.interface.parameters, *evidence.stated)}
+    owners = {parts[n][0] for n in evidence.stated if parts[n][2] in values}
     return {
-        n: values[short]
-        for n, short in last_names.items()
-        if short in values and n.rpartition(".")[0] not in owners
+        n: values[last]
+        for n, (owner, _, last) in parts.items()
+        if last in values and owner not in owners
     }
 
 
@@ -145,17 +139,16 @@ def values_told(evidence: Evidence, bench: Bench, mapped: Mapped) -> list[dict[s
     Where an input begins, loads in its name, what its columns hold in addition, remarks above its rows, the user.
     """
     interface, headings = bench.interface, evidence.headings
-    unused = [
-        c for c in evidence.columns if c not in bench.choice.fed.values() and c.meaning and c.unit
-    ]
+    variables = {**interface.parameters, **interface.inputs}
+    fed = bench.choice.fed.values()
+    unused = [c for c in evidence.columns if c not in fed and c.meaning and c.unit]
     loads = _loads(evidence, interface)
     by_run = []
-    for i in range(len(evidence.sources)):
-        values = loads[i] if evidence.points else {**_starts(mapped.runs[i], interface), **loads[i]}
+    for i, run in enumerate(mapped.runs):
+        values = loads[i] if evidence.points else {**_starts(run, interface), **loads[i]}
         for column in unused:
             values |= _of_column(column, i, interface, headings)
         values |= _of_remarks(i, evidence, bench)
-        variables = {**interface.parameters, **interface.inputs}
         for name, value in evidence.run_parameters[i].items():
             number = parse_quantity(value, variables[name].unit) if name in variables else 0.0
             values[name] = StatedValue(value, number, "")
@@ -171,16 +164,11 @@ def _starts(run: MappedRun, interface: Interface) -> dict[str, StatedValue]:
         values = run.inputs.get(signal)
         if not name.endswith("_start") or values is None or not np.isfinite(values).any():
             continue
-        first_rest = run.first_rest
-        part = (
-            values[first_rest.start : first_rest.stop]
-            if first_rest
-            else values[np.isfinite(values)][:1]
-        )
+        rest = run.first_rest
+        part = values[rest.start : rest.stop] if rest else values[np.isfinite(values)][:1]
         first = float(np.nanmean(part))
-        if abs(first - (parameter.start or 0.0)) > REST_BAND * span(values) and _is_possible(
-            first, parameter
-        ):
+        differs = abs(first - (parameter.start or 0.0)) > REST_BAND * span(values)
+        if differs and _is_possible(first, parameter):
             starts[name] = StatedValue(text_of(first, parameter.unit), first, f"{signal} begins so")
     return starts
 
@@ -189,57 +177,48 @@ def _of_column(
     column: RecordedColumn, i: int, interface: Interface, headings: Headings
 ) -> dict[str, StatedValue]:
     """A load or an ambient condition that a column holds, where one parameter only can be meant."""
-    meaning = column.meaning
-    is_ambient = meaning is not None and "ambient" in meaning.roles
-    if meaning is None or i not in column.values or not (meaning.kind == "mass" or is_ambient):
+    values = column.values.get(i)
+    is_ambient = "ambient" in column.meaning.roles
+    if values is None or not (is_ambient or column.kind == "mass"):
         return {}
-    values = column.values[i]
     if not (is_ambient or span(values) == 0.0 or is_constant(values)):
         return {}
-    unit = headings.units[meaning.kind]
+    unit = headings.units[column.kind]
     mean = float(np.nanmean(convert(values, column.unit, unit)))
-    why = f"{column.name} was recorded, and this is its mean"
-    return {
-        n: StatedValue(text_of(mean, unit), mean, why)
-        for n in _meant(meaning, unit, mean, interface, headings)
-    }
+    told = StatedValue(
+        text_of(mean, unit), mean, f"{column.name} was recorded, and this is its mean"
+    )
+    return dict.fromkeys(_meant(column.meaning, mean, interface, headings), told)
 
 
 def _of_remarks(i: int, evidence: Evidence, bench: Bench) -> dict[str, StatedValue]:
     """What lines above the rows state, of a parameter or of an input that no column feeds."""
     values: dict[str, StatedValue] = {}
     interface, headings = bench.interface, evidence.headings
-    unfed = {n: interface.inputs[n] for n in bench.choice.unfed}
+    unfed = headings.meanings({n: interface.inputs[n] for n in bench.choice.unfed})
     for remark in evidence.remarks[i]:
-        unit = headings.units[remark.meaning.kind]
-        number = parse_quantity(remark.value, unit)
-        names = [n for n, v in unfed.items() if headings.variable(v) == remark.meaning]
+        number = parse_quantity(remark.value, headings.units[remark.meaning.kind])
+        names = [n for n, meaning in unfed.items() if meaning == remark.meaning]
         if remark.meaning.kind == "mass" or "ambient" in remark.meaning.roles:
-            names = _meant(remark.meaning, unit, number, interface, headings)
+            names = _meant(remark.meaning, number, interface, headings)
         why = f"a line above the rows states it: {remark.text}"
-        values |= {name: StatedValue(remark.value, number, why) for name in names}
+        values |= dict.fromkeys(names, StatedValue(remark.value, number, why))
     return values
 
 
-def _meant(
-    meaning: Meaning, unit: str, value: float, interface: Interface, headings: Headings
-) -> list[str]:
+def _meant(meaning: Meaning, value: float, interface: Interface, headings: Headings) -> list[str]:
     """The parameter of a kind, where there is one and it may have the value.
 
     What is around a rig is recorded as it is, and not against itself: a gauge pressure of the room is none.
     """
     alike = [
-        name
+        (name, v)
         for name, v in interface.parameters.items()
-        if v.unit == unit
+        if v.unit == headings.units[meaning.kind]
         and "gauge" not in v.description.casefold()
         and headings.meaning_of(name.rpartition(".")[2], v.description, v.unit) == meaning
     ]
-    return [
-        name
-        for name in alike
-        if len(alike) == 1 and _is_possible(value, interface.parameters[name])
-    ]
+    return [name for name, v in alike if len(alike) == 1 and _is_possible(value, v)]
 
 
 def _is_possible(value: float, parameter: Variable) -> bool:
@@ -253,25 +232,19 @@ def _loads(evidence: Evidence, interface: Interface) -> list[dict[str, StatedVal
 
     Where a force is imposed, a weight is that force and no mass.
     """
-    in_kg = {name: v for name, v in interface.parameters.items() if v.unit == "kg"}
-    masses = [name for name, v in in_kg.items() if "mass" in v.description.casefold()]
+    masses = [
+        (name, v)
+        for name, v in interface.parameters.items()
+        if v.unit == "kg" and "mass" in v.description.casefold()
+    ]
     weights = all(v.unit != "N" for v in interface.inputs.values())
-    loads = [load_in(file.stem, weights) for file in evidence.files]
-    if len(masses) != 1 or None in loads:
-        return [{} for _ in loads]
-    stated = [(text, mass) for text, mass in filter(None, loads)]
-    if not all(_is_possible(mass, interface.parameters[masses[0]]) for _, mass in stated):
-        return [{} for _ in loads]
-    why = "the file's name states it"
+    found = [load_in(file.stem, weights) for file in evidence.files]
+    loads = [load for load in found if load is not None]
+    is_clear = len(masses) == 1 and len(loads) == len(found)
+    if not is_clear or not all(_is_possible(mass, masses[0][1]) for _, mass in loads):
+        return [{} for _ in found]
     return [
-        {
-            masses[0]: StatedValue(
-                text_of(mass, "kg") if text.split()[-1] not in ("kg", "g", "lb", "lbs") else text,
-                mass,
-                why,
-            )
-        }
-        for text, mass in stated
+        {masses[0][0]: StatedValue(text, mass, "the file's name states it")} for text, mass in loads
     ]
 
 
@@ -299,17 +272,17 @@ def open_parameters(interface: Interface, headings: Headings, points: bool) -> O
     hidden = _hidden(interface)
     free = hidden if points else _told_by_fit(interface, words.calibrated, words.chosen)
     perhaps = _told_by_fit(interface, words.uncertain, words.chosen)
-    rubbing = {name: v for name, v in perhaps.items() if _says(v, ["friction"])}
-    perhaps = rubbing if points else {**perhaps, **hidden}
-    candidates = {
-        n: v
-        for n, v in interface.parameters.items()
-        if n.count(".") <= 1 and n not in {*free, *perhaps}
-    }
+    if points:
+        perhaps = {name: v for name, v in perhaps.items() if _says(v, ["friction"])}
+    else:
+        perhaps |= hidden
     measurable = {
         n: v
-        for n, v in candidates.items()
-        if _is_measure(n, v, words.chosen) and (is_geometry(v) or not points)
+        for n, v in interface.parameters.items()
+        if n.count(".") <= 1
+        and n not in {*free, *perhaps}
+        and _is_measure(n, v, words.chosen)
+        and (is_geometry(v) or not points)
     }
     return OpenParameters(free, perhaps, measurable)
 
@@ -333,9 +306,15 @@ def _says(variable: Variable, words: Sequence[str]) -> bool:
 def _told_by_fit(
     interface: Interface, words: Sequence[str], chosen: Sequence[str]
 ) -> dict[str, Variable]:
-    of_component = {name: v for name, v in interface.parameters.items() if name.count(".") == 1}
-    bounded = {n: v for n, v in of_component.items() if _is_bounded(v) and v.unit not in _MEASURED}
-    return {n: v for n, v in bounded.items() if _says(v, words) and not _says(v, chosen)}
+    return {
+        name: v
+        for name, v in interface.parameters.items()
+        if name.count(".") == 1
+        and _is_bounded(v)
+        and v.unit not in _MEASURED
+        and _says(v, words)
+        and not _says(v, chosen)
+    }
 
 
 def _is_bounded(variable: Variable) -> bool:
@@ -345,15 +324,19 @@ def _is_bounded(variable: Variable) -> bool:
 def _hidden(interface: Interface) -> dict[str, Variable]:
     """Measures within the wall of a muscle that has one: where its fibres lie, and what the wall takes of its pull."""
     deep = {n: v for n, v in interface.parameters.items() if n.count(".") == 2 and _is_bounded(v)}
-    walls, fibres = (
-        {n: v for n, v in deep.items() if any(word in v.description for word in words)}
-        for words in (_OF_WALLS, _OF_FIBRES)
-    )
-    owners = {name.rsplit(".", 2)[0] for name in walls}
-    limited = {
-        n: _nearby(v) for n, v in fibres.items() if n.rsplit(".", 2)[0] in owners and v.start
+    walls = {n: v for n, v in deep.items() if any(word in v.description for word in _OF_WALLS)}
+    owners = {_owner(name) for name in walls}
+    fibres = {
+        n: _nearby(v)
+        for n, v in deep.items()
+        if v.start and _owner(n) in owners and any(word in v.description for word in _OF_FIBRES)
     }
-    return {**limited, **walls}
+    return {**fibres, **walls}
+
+
+def _owner(name: str) -> str:
+    """The muscle of a parameter of a part of it."""
+    return name.rsplit(".", 2)[0]
 
 
 def _nearby(variable: Variable) -> Variable:

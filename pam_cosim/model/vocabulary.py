@@ -14,6 +14,8 @@ class Vocabulary:
         roles: rows of what distinguishes a quantity from others of its kind, the kind that its word means alone, and
             words.
         units: rows of a kind and the units of numbers without one, each with the largest number that has it.
+        spellings: rows of a unit as the registry of units has it, and other spellings of it.
+        counts: spellings of units of a converter, a camera or a bridge, whose size only the laboratory knows.
         sure: rows of a kind and words that leave no doubt of it.
         directions: rows of "down" or "up", and words.
         data_sheets: rows of a parameter, the units of what data sheets state and of the input, what an input of one
@@ -28,6 +30,8 @@ class Vocabulary:
     kinds: tuple[tuple[str, str, str, str], ...] = ()
     roles: tuple[tuple[str, str, str], ...] = ()
     units: tuple[tuple[str, str], ...] = ()
+    spellings: tuple[tuple[str, str], ...] = ()
+    counts: tuple[str, ...] = ()
     sure: tuple[tuple[str, str], ...] = ()
     directions: tuple[tuple[str, str], ...] = ()
     data_sheets: tuple[tuple[str, str, str, str, str], ...] = ()

@@ -337,3 +337,39 @@ def test_a_contraction_below_zero_is_asked_about(tmp_path: Path) -> None:
         made = pam.new(tmp_path / f"rig-{name}", [file])
         told = [line for line in made.to_check if line.startswith("x goes down to -")]
         assert len(told) == (zero > 0.0)
+
+
+def test_a_set_point_with_times_of_its_own_stands_at_them(tmp_path: Path) -> None:
+    """The times of a set point are no set point: they are compared with the others as any clock."""
+
+    def row(k: int) -> list[object]:
+        return [f"{2.0 * TIME[k]:.2f}", SET_POINT[k], f"{TIME[k]:.2f}", READ[k], LENGTH[k]]
+
+    heading = "p_set.Time,p_set.Data [bar],p.Time,p.Data [bar],x [mm]"
+    (run,) = pam.new(tmp_path / "rig", [write(tmp_path / "a.csv", heading, row)]).data.runs
+    assert run.inputs["p_set"].max() == 5e5 and run.time[-1] == pytest.approx(2.0 * TIME[-1])
+    assert run.time[np.argmax(run.inputs["p_set"])] == pytest.approx(4.0)
+
+
+def test_one_command_for_two_valves_is_asked_about(tmp_path: Path) -> None:
+    """A spool that fills above zero and vents below: its halves open the valves, and the pressure is read."""
+    spool = np.where(IS_FILLED, 0.6, 0.0) - np.where(IS_EMPTIED, 0.5, 0.0)
+    p = pressure(np.where(TIME < 1.0, 0.0, np.where(IS_EMPTIED, 0.0, 3.0)), 0.3)
+
+    def row(k: int) -> list[object]:
+        return [f"{TIME[k]:.2f}", spool[k], f"{p[k]:.4f}", f"{10.0 * p[k]:.3f}"]
+
+    made = pam.new(tmp_path / "rig", [write(tmp_path / "a.csv", "t [s],spool,p [bar],x [mm]", row)])
+    (run,) = made.data.runs
+    np.testing.assert_allclose(run.inputs["u_in"], np.clip(spool, 0.0, None))
+    np.testing.assert_allclose(run.inputs["u_out"], np.clip(-spool, 0.0, None))
+    assert "p" in run.measurements
+    assert any(line.startswith("does one command, spool, drive both") for line in made.to_check)
+
+
+def test_a_unit_that_is_no_time_makes_no_clock(tmp_path: Path) -> None:
+    """Rows that are counted in hertz: the file has no time, and the message says what to state."""
+    heading = "sweep [Hz],u_in [A],p [bar],x [mm]"
+    file = write(tmp_path / "a.csv", heading, lambda k: [k, 0.1, READ[k], LENGTH[k]])
+    with pytest.raises(InputError, match="no column of time among sweep"):
+        pam.new(tmp_path / "rig", [file])
