@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import cached_property
 from math import inf
 from pathlib import Path
 
@@ -85,7 +86,7 @@ class BenchChoice:
 
 @dataclass(frozen=True)
 class Bench:
-    """A bench and what feeds it.
+    """A bench, what was recorded of the rig, and what feeds it.
 
     Attributes:
         name: as ``experiment.toml`` has it.
@@ -97,10 +98,36 @@ class Bench:
     choice: BenchChoice
     name: str
     interface: Interface
-    why: str
+    evidence: Evidence
+    why: str = ""
     muscle: str = ""
     length: str = ""
     composed: bool = False
+
+    @property
+    def headings(self) -> Headings:
+        """By which inputs and outputs are read."""
+        return self.evidence.headings
+
+    @property
+    def signals(self) -> dict[str, Variable]:
+        """Inputs and outputs."""
+        return {**self.interface.inputs, **self.interface.outputs}
+
+    @cached_property
+    def meanings(self) -> dict[str, Meaning]:
+        """What the inputs and outputs are."""
+        return self.headings.meanings(self.signals)
+
+    @property
+    def settable(self) -> dict[str, Variable]:
+        """Parameters, and inputs whose values can be stated."""
+        return {**self.interface.parameters, **self.interface.inputs}
+
+    @cached_property
+    def used(self) -> set[str]:
+        """The columns that are read, also in a formula."""
+        return {c.name for c in self.choice.fed.values()} | used_in(self.evidence)
 
 
 def stated_interface(
@@ -142,7 +169,7 @@ def take_bench(
         fixed = Ports(interface.model, interface.inputs, interface.outputs)
         choice = _choose([fixed], evidence, is_stated=True)
         copied = Path(str(requests.model)).name if is_file(str(requests.model)) else interface.model
-        return Bench(choice, copied, interface, "")
+        return Bench(choice, copied, interface, evidence)
     muscles = _muscles(tree)
     texts = [] if requests.model else [_label(source) for source in evidence.sources]
     if requests.muscle:
@@ -153,7 +180,7 @@ def take_bench(
     choice = _choose(_candidates(requests.model, needed, evidence, tree), evidence)
     why = "" if requests.model else _why(choice)
     if not choice.ports.parts:
-        return Bench(choice, choice.ports.name, describe(choice.ports.name), why)
+        return Bench(choice, choice.ports.name, describe(choice.ports.name), evidence, why)
     feed, hold = choice.ports.parts
     outputs = [n for n in choice.ports.outputs if n not in choice.ports.inputs]
     measure = [n for n in outputs if n in choice.outputs or n in evidence.formulas]
@@ -166,7 +193,7 @@ def take_bench(
         origin = f"{origin}, with the muscle {needed}, which has the parameters that are stated"
     why = f"{why}. {origin}" if why else origin
     composed = describe(str(place / f"{name}.mo"))
-    return Bench(choice, f"{name}.mo", composed, why, muscle or "", length, True)
+    return Bench(choice, f"{name}.mo", composed, evidence, why, muscle or "", length, True)
 
 
 def _muscles(tree: ClassTree) -> list[BenchPart]:

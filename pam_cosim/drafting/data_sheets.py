@@ -7,10 +7,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from pam_cosim.arrays import Array
+from pam_cosim.drafting.benches import Bench
 from pam_cosim.drafting.columns import RecordedColumn
 from pam_cosim.drafting.headings import VALVES, Headings
 from pam_cosim.errors import InputError
-from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.interface import Variable
 from pam_cosim.units import UnitError, convert, parse_quantity
 from pam_cosim.wording import shown
 
@@ -91,9 +92,7 @@ def rating_of(text: str) -> Rating:
     )
 
 
-def ratings(
-    text: str, interface: Interface, headings: Headings
-) -> tuple[dict[str, Scale], dict[str, str]]:
+def ratings(text: str, bench: Bench) -> tuple[dict[str, Scale], dict[str, str]]:
     """What data sheets state of valves: scales of the inputs that open them, and values of parameters by name.
 
     Sentences are separated by semicolons, each of one valve ("u_in=0.8 mm2 at 250 mA") or of both. An area is
@@ -104,12 +103,14 @@ def ratings(
     """
     scales, values = dict[str, Scale](), dict[str, str]()
     for rating in map(rating_of, filter(str.strip, text.split(";"))):
-        inputs = valve_inputs(interface, headings)
+        inputs = {
+            n: v for n, v in bench.interface.inputs.items() if bench.meanings[n].roles & VALVES
+        }
         if rating.input and rating.input not in inputs:
             valves = f"the valves of {', '.join(inputs)}" if inputs else "none"
             message = f"no valve has this input; the bench has {valves}"
             raise InputError(f"--valve {shown(rating.text)}: {message}")
-        name, scale = _calibration(rating, inputs, interface, headings)
+        name, scale = _calibration(rating, inputs, bench)
         if isinstance(scale, Scale):
             scales |= dict.fromkeys([rating.input] if rating.input else inputs, scale)
         elif rating.input or values:
@@ -121,15 +122,15 @@ def ratings(
 
 
 def _calibration(
-    rating: Rating, inputs: Mapping[str, Variable], interface: Interface, headings: Headings
+    rating: Rating, inputs: Mapping[str, Variable], bench: Bench
 ) -> tuple[str, Scale | str]:
     """The parameter that calibrates the valves, and the scale of their inputs, or its value where there is none."""
-    for last, unit, input_unit, slope, begin in headings.vocabulary.data_sheets:
-        name = next((n for n in interface.parameters if n.rpartition(".")[2] == last), None)
+    for last, unit, input_unit, slope, begin in bench.headings.vocabulary.data_sheets:
+        name = next((n for n in bench.interface.parameters if n.rpartition(".")[2] == last), None)
         if name is None or not inputs or {v.unit for v in inputs.values()} != {input_unit}:
             continue
         try:
-            size = _size(rating, unit, headings)
+            size = _size(rating, unit, bench.headings)
             per_input = parse_quantity(slope, f"{unit}/({input_unit})" if begin else unit)
             if not begin:
                 return name, f"{size / per_input / (_number(rating.at, '1') or 1.0):.6g}"
@@ -145,12 +146,6 @@ def _calibration(
         except UnitError as error:
             raise InputError(f"--valve {shown(rating.text)}: {error}; write {EXAMPLES}") from None
     raise InputError("--valve: the bench has no valve whose area a data sheet states; leave it out")
-
-
-def valve_inputs(interface: Interface, headings: Headings) -> Mapping[str, Variable]:
-    """The inputs that open valves."""
-    meanings = headings.meanings(interface.inputs)
-    return {n: v for n, v in interface.inputs.items() if meanings[n].roles & VALVES}
 
 
 def _size(rating: Rating, unit: str, headings: Headings) -> float:

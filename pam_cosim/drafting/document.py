@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from textwrap import wrap
 
 from pam_cosim.drafting.benches import Bench
 from pam_cosim.drafting.entries import ColumnEntry, Mapped
-from pam_cosim.drafting.evidence import Evidence, used_in
-from pam_cosim.drafting.headings import Meaning
+from pam_cosim.drafting.evidence import Evidence
 from pam_cosim.drafting.roles import PointsDraft, Role, Sigma
 from pam_cosim.drafting.values import OpenParameters, StatedValue, text_of
 from pam_cosim.model.interface import Interface, Variable
@@ -24,7 +22,7 @@ class Draft:
     """The content of the file.
 
     Attributes:
-        evidence, bench, mapped: what was recorded, the bench, and the recordings under its names.
+        bench, mapped: the bench with what was recorded, and the recordings under its names.
         files: names of the copies, one for each recording.
         ignored: names of columns that are not read, and why.
         sigmas: by signals that count; ``shown`` are compared only.
@@ -37,7 +35,6 @@ class Draft:
     """
 
     title: str
-    evidence: Evidence
     bench: Bench
     mapped: Mapped
     files: Sequence[str]
@@ -57,15 +54,10 @@ class Draft:
         """Of the bench."""
         return self.bench.interface
 
-    @cached_property
-    def meanings(self) -> dict[str, Meaning]:
-        """What the inputs and outputs of the bench are."""
-        return self.evidence.headings.meanings({**self.interface.inputs, **self.interface.outputs})
-
-    @cached_property
-    def used(self) -> set[str]:
-        """The columns that are read, also in a formula."""
-        return {c.name for c in self.bench.choice.fed.values()} | used_in(self.evidence)
+    @property
+    def evidence(self) -> Evidence:
+        """What was recorded."""
+        return self.bench.evidence
 
     @property
     def recordings(self) -> list[str]:

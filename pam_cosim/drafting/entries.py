@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import sqrt
+from typing import Any
 
 import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.benches import NO_PRESSURE, BenchChoice
+from pam_cosim.drafting.benches import NO_PRESSURE, Bench, BenchChoice
 from pam_cosim.drafting.columns import RecordedColumn
 from pam_cosim.drafting.data_sheets import Scale
 from pam_cosim.drafting.evidence import Evidence
@@ -35,7 +36,7 @@ from pam_cosim.drafting.shapes import (
     span,
 )
 from pam_cosim.errors import InputError
-from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.interface import Interface
 from pam_cosim.units import UnitError, convert, format_quantity, parse_quantity
 from pam_cosim.units.grammar import ATMOSPHERES, STANDARD_ATMOSPHERE
 from pam_cosim.wording import shown
@@ -59,6 +60,7 @@ class ColumnEntry:
         zero: by recording.
         words: of a direction, up, down or none by the words of the column.
         why: what was guessed, in sentences.
+        numbers: by recording, (n,) each in the bench's unit.
     """
 
     name: str
@@ -70,6 +72,11 @@ class ColumnEntry:
     zero: dict[int, tuple[float, float]] = field(default_factory=dict)
     why: tuple[str, ...] = ()
     words: dict[str, str] = field(default_factory=dict)
+    numbers: Numbers = field(default_factory=dict)
+
+    def because(self, why: str, **changes: Any) -> ColumnEntry:
+        """The entry with changes, and why."""
+        return replace(self, why=(*self.why, why), **changes)
 
 
 @dataclass(frozen=True)
@@ -100,47 +107,30 @@ class Mapped:
     runs: tuple[MappedRun, ...]
 
 
-def map_columns(
-    choice: BenchChoice, interface: Interface, evidence: Evidence, valves: Mapping[str, Scale]
-) -> Mapped:
+def map_columns(bench: Bench, valves: Mapping[str, Scale]) -> Mapped:
     """Entries for what is named, signed, scaled or zeroed otherwise than the bench has it.
 
     What the user states as a formula stays as it is; of a column that the user names, the sign too. Data sheets of
     ``valves`` scale the inputs that open them.
     """
-    variables = {**interface.inputs, **interface.outputs}
-    meanings = evidence.headings.meanings(variables)
-    entries: dict[str, ColumnEntry] = {}
-    if evidence.time is not None:
-        time = evidence.time
-        entries["time"] = ColumnEntry("time", time.name, _unit_to_state(time), why=time.why)
-    values: dict[str, Numbers] = {}
-    for name, column in choice.fed.items():
-        if name in valves:
-            formula, values[name] = valves[name].entry(column)
-            entries[name] = ColumnEntry(name, formula=formula, why=column.why)
-        else:
-            named = _named(name, column, variables[name], interface, evidence)
-            entries[name], values[name] = named
-    entries |= {n: ColumnEntry(n, formula=text) for n, text in evidence.formulas.items()}
-    pressure = _first(values, meanings, PRESSURE, SET_PRESSURE)
-    by_convention = [name for name in values if not variables[name].is_foreign]
+    evidence, fed, meanings = bench.evidence, bench.choice.fed, bench.meanings
+    entries = {n: _entry(n, column, bench, valves) for n, column in fed.items()}
+    pressure = _first(entries, meanings, PRESSURE, SET_PRESSURE)
+    by_convention = [name for name in fed if not bench.signals[name].is_foreign]
     for name in sorted(by_convention, key=lambda name: meanings[name] != _FORCE):
-        pull = _first(values, meanings, _FORCE) if name in interface.inputs else None
-        column = choice.fed[name]
-        why = _why_reversed(values[name], meanings[name], column, pressure, pull)
-        if why:
-            entries[name] = _turned(entries[name], column, why)
-            values[name] = {i: -samples for i, samples in values[name].items()}
-    runs = _runs(interface, values, evidence)
-    for name in by_convention if not evidence.points else ():
-        column, unit = choice.fed[name], variables[name].unit
-        is_output = name in choice.outputs
-        entries[name], zeros = _with_zero(
-            entries[name], column, is_output, meanings, runs, pressure, unit
-        )
-        values[name] = {i: samples - zeros.get(i, 0.0) for i, samples in values[name].items()}
-    return Mapped(entries, runs if evidence.points else _runs(interface, values, evidence))
+        pull = _first(entries, meanings, _FORCE) if name in bench.interface.inputs else None
+        why = _why_reversed(entries[name].numbers, meanings[name], fed[name], pressure, pull)
+        entries[name] = _turned(entries[name], fed[name], why) if why else entries[name]
+    runs = _runs(entries, bench)
+    if not evidence.points:
+        zeroed = {n: _with_zero(entries[n], bench, runs, pressure) for n in by_convention}
+        entries |= zeroed
+        runs = _runs(entries, bench)
+    time = evidence.time
+    unit = time and _unit_to_state(time)
+    first = {"time": ColumnEntry("time", time.name, unit, why=time.why)} if time else {}
+    formulas = {n: ColumnEntry(n, formula=text) for n, text in evidence.formulas.items()}
+    return Mapped({**first, **entries, **formulas}, runs)
 
 
 def longest_of(choice: BenchChoice) -> float | None:
@@ -168,26 +158,24 @@ def _time(i: int, evidence: Evidence) -> Array:
 
 
 def _first(
-    values: Mapping[str, Numbers], meanings: Mapping[str, Meaning], *wanted: Meaning
+    entries: Mapping[str, ColumnEntry], meanings: Mapping[str, Meaning], *wanted: Meaning
 ) -> Numbers | None:
     """The numbers of the first column with one of these meanings, in their order."""
-    named = (values[name] for meaning in wanted for name in values if meanings[name] == meaning)
+    named = (e.numbers for meaning in wanted for n, e in entries.items() if meanings[n] == meaning)
     return next(named, None)
 
 
-def _runs(
-    interface: Interface, values: Mapping[str, Numbers], evidence: Evidence
-) -> tuple[MappedRun, ...]:
+def _runs(entries: Mapping[str, ColumnEntry], bench: Bench) -> tuple[MappedRun, ...]:
     """The recordings; those of points at rest have no rests."""
-    runs = []
+    interface, evidence, runs = bench.interface, bench.evidence, []
     for i in range(len(evidence.sources)):
         inputs, outputs = (
-            {n: v[i] for n, v in values.items() if n in side and i in v}
+            {n: e.numbers[i] for n, e in entries.items() if n in side and i in e.numbers}
             for side in (interface.inputs, interface.outputs)
         )
         time, at_rest = _time(i, evidence), list[Rest]()
         if not evidence.points:
-            fits = evidence.headings.fits
+            fits = bench.headings.fits
             slow = {n for n in outputs if fits(interface.outputs[n].unit, "temperature")}
             quick = [v for n, v in outputs.items() if n not in slow]
             at_rest = rests(time, [*inputs.values(), *quick])
@@ -203,29 +191,34 @@ def _unit_to_state(column: RecordedColumn) -> str | None:
     return None if column.stated else column.unit or None
 
 
-def _named(
-    name: str, column: RecordedColumn, variable: Variable, interface: Interface, evidence: Evidence
-) -> tuple[ColumnEntry, Numbers]:
-    """The entry that renames a column or makes it what the bench calls so, and its numbers."""
+def _entry(
+    name: str, column: RecordedColumn, bench: Bench, valves: Mapping[str, Scale]
+) -> ColumnEntry:
+    """The entry that renames a column or makes it what the bench calls so."""
+    variable = bench.signals[name]
+    entry = ColumnEntry(name, column.name, _unit_to_state(column), why=column.why)
+    if name in valves:
+        formula, numbers = valves[name].entry(column)
+        return replace(entry, column=None, unit=None, formula=formula, numbers=numbers)
     if column.kind == "direction" and not variable.is_foreign:
-        return _direction(name, column)
-    wanted = UNKNOWN if variable.is_foreign else evidence.headings.variable(variable)
-    if wanted.kind == "contraction" and column.kind in ("length", "ratio"):
-        return _contraction(name, column, interface, evidence.stated)
+        return _direction(entry, column)
+    is_contraction = not variable.is_foreign and bench.meanings[name].kind == "contraction"
+    if is_contraction and column.kind in ("length", "ratio"):
+        return _contraction(entry, column, bench)
     if column.kind == "force" and column.unit and alike(column.unit, "kg"):
         gravity = parse_quantity(GRAVITY, "m/s2")
         numbers = {i: v * gravity for i, v in _converted(name, column, "kg").items()}
-        why = f"a force in {column.unit}, times gravity"
-        return scaled(name, column, GRAVITY, None, (*column.why, why)), numbers
-    numbers = _converted(name, column, variable.unit)
+        entry = entry.because(f"a force in {column.unit}, times gravity", numbers=numbers)
+        return scaled(entry, column, GRAVITY, None)
+    entry = replace(entry, numbers=_converted(name, column, variable.unit))
     if column.absolute and column.kind == "pressure":
         if not variable.is_foreign:
-            return _gauge_pressure(name, column, numbers, evidence.ambient_pressure)
+            return _gauge_pressure(entry, column, bench.evidence.ambient_pressure)
         why = f"its heading states an absolute pressure: state an offset if {name} is gauge"
-        return ColumnEntry(name, column.name, column.unit or None, why=(*column.why, why)), numbers
+        return entry.because(why, unit=column.unit or None)
     if column.formula:
-        return ColumnEntry(name, formula=column.formula, why=column.why), numbers
-    return ColumnEntry(name, column.name, _unit_to_state(column), why=column.why), numbers
+        return replace(entry, column=None, unit=None, formula=column.formula)
+    return entry
 
 
 def _converted(name: str, column: RecordedColumn, unit: str) -> dict[int, Array]:
@@ -244,8 +237,8 @@ def _converted(name: str, column: RecordedColumn, unit: str) -> dict[int, Array]
 
 
 def _gauge_pressure(
-    name: str, column: RecordedColumn, numbers: Numbers, ambient: RecordedColumn | None
-) -> tuple[ColumnEntry, Numbers]:
+    entry: ColumnEntry, column: RecordedColumn, ambient: RecordedColumn | None
+) -> ColumnEntry:
     """A gauge pressure that was recorded as an absolute one [Pa]."""
     outside, source = STANDARD_ATMOSPHERE, ""
     if ambient is not None:
@@ -253,47 +246,47 @@ def _gauge_pressure(
         source = f", the mean of {ambient.name}"
     text = f"{outside / 1e3:.6g} kPa"
     why = f"its heading states an absolute pressure; the ambient is taken as {text}{source}"
-    entry = scaled(name, column, None, f"-{text}", (*column.why, why))
-    return entry, {i: v - outside for i, v in numbers.items()}
+    numbers = {i: v - outside for i, v in entry.numbers.items()}
+    return scaled(entry.because(why, numbers=numbers), column, None, f"-{text}")
 
 
 def scaled(
-    name: str, column: RecordedColumn, gain: str | None, offset: str | None, why: tuple[str, ...]
+    entry: ColumnEntry, column: RecordedColumn, gain: str | None, offset: str | None
 ) -> ColumnEntry:
-    """The entry of a column times a gain, plus an offset: as a formula, where one can hold the column."""
+    """The entry as the column times a gain, plus an offset: as a formula, where one can hold the column."""
     if not column.readable:
-        return ColumnEntry(name, column.name, column.unit, gain=gain or "1", offset=offset, why=why)
+        return replace(entry, unit=column.unit, gain=gain or "1", offset=offset)
     term = column.term
     if gain == "-1":
         formula = f'"{offset}" - {term}' if offset else f"-{term}"
     else:
         formula = term + (f' * "{gain}"' if gain else "")
         formula += f' - "{offset.removeprefix("-")}"' if offset else ""
-    return ColumnEntry(name, formula=formula, why=why)
+    return replace(entry, column=None, unit=None, formula=formula)
 
 
-def _contraction(
-    name: str, column: RecordedColumn, interface: Interface, stated: Mapping[str, str]
-) -> tuple[ColumnEntry, Numbers]:
+def _contraction(entry: ColumnEntry, column: RecordedColumn, bench: Bench) -> ColumnEntry:
     """A contraction made of a length or of a ratio."""
-    parameter = length_parameter(interface) or ""
-    if column.kind == "ratio":
-        value, source = stated.get(parameter, "1 m"), "stated" if parameter in stated else ""
-        if parameter and not source:
-            value = f"{interface.parameters[parameter].start:g} m"
-            source = f"the bench's default of {parameter}, state yours and change it here"
-        why = f"it is a ratio, times the length at rest, {value}: {source}"
-        length = parse_quantity(value, "m")
-        numbers = {i: v * length for i, v in column.converted("1").items()}
-        return scaled(name, column, value, None, (*column.why, why)), numbers
-    lengths = column.converted("m")
-    value, source = f"{max(float(np.nanmax(v)) for v in lengths.values()):.6g} m", LONGEST
+    parameter, stated = length_parameter(bench.interface) or "", bench.evidence.stated
+    is_ratio = column.kind == "ratio"
+    numbers = column.converted("1" if is_ratio else "m")
     if parameter in stated:
         value, source = stated[parameter], "stated"
-    why = f"it is a length: the contraction is what is missing to {value}, {source}"
+    elif not is_ratio:
+        value, source = f"{max(float(np.nanmax(v)) for v in numbers.values()):.6g} m", LONGEST
+    elif parameter:
+        value = f"{bench.interface.parameters[parameter].start:g} m"
+        source = f"the bench's default of {parameter}, state yours and change it here"
+    else:
+        value, source = "1 m", ""
     length = parse_quantity(value, "m")
-    entry = scaled(name, column, "-1", value, (*column.why, why))
-    return entry, {i: length - v for i, v in lengths.items()}
+    if is_ratio:
+        why = f"it is a ratio, times the length at rest, {value}: {source}"
+        numbers = {i: v * length for i, v in numbers.items()}
+        return scaled(entry.because(why, numbers=numbers), column, value, None)
+    why = f"it is a length: the contraction is what is missing to {value}, {source}"
+    numbers = {i: length - v for i, v in numbers.items()}
+    return scaled(entry.because(why, numbers=numbers), column, "-1", value)
 
 
 # ---- the direction of points at rest ---------------------------------------------------------------------------------
@@ -317,25 +310,25 @@ def _with_senses(column: RecordedColumn, headings: Headings) -> RecordedColumn:
     return replace(column, senses=senses, why=("the larger is taken for up",))
 
 
-def _direction(name: str, column: RecordedColumn) -> tuple[ColumnEntry, Numbers]:
+def _direction(entry: ColumnEntry, column: RecordedColumn) -> ColumnEntry:
     """Words for directions, or a formula that gives 1 and -1."""
     senses = column.senses
     numbers = {
         i: np.array([float(senses.get(v, 0)) for v in samples.tolist()])
         for i, samples in column.values.items()
     }
-    entry = ColumnEntry(name, column.name, why=column.why)
+    entry = replace(entry, unit=None, numbers=numbers)
     if column.words:
         words = {word: SENSES[senses.get(float(i), 0)] for i, word in enumerate(column.words)}
-        return replace(entry, words=words), numbers
+        return replace(entry, words=words)
     if all(number == sense for number, sense in senses.items()):
-        return entry, numbers
+        return entry
     values = {sense: number for number, sense in reversed(senses.items())}
     if not {1, -1} <= values.keys() or len(senses) > 2:
         hint = f"leave it out: --recording 'ignore={column.name}'"
         raise InputError(f"the values of {column.name} are no directions; {hint}")
     middle, half = (values[1] + values[-1]) / 2.0, (values[1] - values[-1]) / 2.0
-    return replace(entry, gain=f"{1.0 / half:g}", offset=f"{-middle / half:g}"), numbers
+    return replace(entry, gain=f"{1.0 / half:g}", offset=f"{-middle / half:g}")
 
 
 # ---- the sign of a contraction or a force, by the numbers that were recorded -----------------------------------------
@@ -379,14 +372,14 @@ def _at_equal(third: Numbers, first: Numbers, second: Numbers) -> float:
 
 
 def _turned(entry: ColumnEntry, column: RecordedColumn, why: str) -> ColumnEntry:
-    """The entry that gives the same numbers with the other sign."""
-    whys = (*entry.why, why)
+    """The entry with the other sign."""
+    entry = entry.because(why, numbers={i: -v for i, v in entry.numbers.items()})
     if entry.formula is not None:
-        return replace(entry, formula=f"-({entry.formula})", why=whys)
+        return replace(entry, formula=f"-({entry.formula})")
     if entry.gain is not None:
         offset = entry.offset and _negated(entry.offset)
-        return replace(entry, gain=_negated(entry.gain), offset=offset, why=whys)
-    return scaled(entry.name, column, "-1", None, whys)
+        return replace(entry, gain=_negated(entry.gain), offset=offset)
+    return scaled(entry, column, "-1", None)
 
 
 def _negated(quantity: str) -> str:
@@ -490,51 +483,48 @@ def _still(time: Array, values: Array) -> np.ndarray:
 
 
 def _with_zero(
-    entry: ColumnEntry,
-    column: RecordedColumn,
-    is_output: bool,
-    meanings: Mapping[str, Meaning],
-    runs: Sequence[MappedRun],
-    pressure: Numbers | None,
-    unit: str,
-) -> tuple[ColumnEntry, dict[int, float]]:
-    """The entry with a zero from where recordings begin, if it is away from zero there; and the zero by recording.
+    entry: ColumnEntry, bench: Bench, runs: Sequence[MappedRun], pressure: Numbers | None
+) -> ColumnEntry:
+    """The entry with a zero from where recordings begin, if it is away from zero there.
 
     Where each rests long enough, it is the mean of an interval. Else it is one number for all: a zero belongs to the
     instrument, so that recordings at rest determine it for the others.
     """
-    meaning, begin = meanings[entry.name], _begin(entry.name, runs)
+    name, meaning = entry.name, bench.meanings[entry.name]
+    begin = _begin(name, runs)
     if begin is None or not meaning:
-        return entry, {}
+        return entry
     reason = ""
     if meaning == PRESSURE or (
-        meaning == SET_PRESSURE and begin.absolute and _reads_absolute(meanings, runs)
+        meaning == SET_PRESSURE and begin.absolute and _reads_absolute(bench.meanings, runs)
     ):
         reason = _reason_of_gauge(begin)
-    elif begin.far and _unloaded(begin, pressure) and (is_output or begin.common):
-        reason = _reason_of_unloaded(meaning, begin)
+    elif begin.far and (name in bench.choice.outputs or begin.common):
+        reason = _reason_of_unloaded(meaning, begin) if _unloaded(begin, pressure) else ""
     complete = begin.rests.keys() == begin.runs.keys()
     if not reason or not (complete or begin.same):
-        return entry, {}
+        return entry
+    unit = bench.signals[name].unit
     why = f"{reason.format(reading=format_quantity(begin.reading, unit))}: its zero"
     if complete:
         zero = _intervals(begin)
-        means = {i: _mean(begin.runs[i], entry.name, *interval) for i, interval in zero.items()}
-        return replace(entry, zero=zero, why=(*entry.why, why)), means
-    value = float(np.median([*begin.readings.values()]))
-    count = f"{len(begin.readings)} of {len(begin.runs)} recordings"
-    why = f"{why}, of the {count} that begin at rest"
-    shifted = replace(_less(entry, column, value, unit), why=(*entry.why, why))
-    return shifted, dict.fromkeys(begin.runs, value)
+        means = {i: _mean(begin.runs[i], name, *interval) for i, interval in zero.items()}
+        entry = entry.because(why, zero=zero)
+    else:
+        value = float(np.median([*begin.readings.values()]))
+        means = dict.fromkeys(begin.runs, value)
+        count = f"{len(begin.readings)} of {len(begin.runs)} recordings"
+        entry = _less(entry, bench.choice.fed[name], f"{-value:.6g} {unit}".strip())
+        entry = entry.because(f"{why}, of the {count} that begin at rest")
+    return replace(entry, numbers={i: v - means.get(i, 0.0) for i, v in entry.numbers.items()})
 
 
-def _less(entry: ColumnEntry, column: RecordedColumn, value: float, unit: str) -> ColumnEntry:
-    """The entry less a number [unit]."""
-    text = f"{-value:.6g} {unit}".strip()
+def _less(entry: ColumnEntry, column: RecordedColumn, text: str) -> ColumnEntry:
+    """The entry plus a quantity."""
     if entry.formula is not None:
         return replace(entry, formula=f'{entry.formula} + "{text}"')
-    if entry.gain is None and column.readable and value > 0:
-        return scaled(entry.name, column, None, text, entry.why)
+    if entry.gain is None and column.readable and text.startswith("-"):
+        return scaled(entry, column, None, text)
     return replace(entry, gain=entry.gain or "1", offset=entry.offset or text)
 
 

@@ -16,11 +16,11 @@ import numpy as np
 from pam_cosim.catalogue import vocabulary_of
 from pam_cosim.compiler import ClassTree
 from pam_cosim.drafting.benches import Bench, class_name, stated_interface, take_bench
-from pam_cosim.drafting.columns import RecordedColumn
+from pam_cosim.drafting.columns import RecordedColumn, names_in
 from pam_cosim.drafting.data_sheets import ratings
 from pam_cosim.drafting.document import Draft, document
 from pam_cosim.drafting.entries import Mapped, map_columns, with_directions
-from pam_cosim.drafting.evidence import DraftRequests, Evidence, gather, used_in
+from pam_cosim.drafting.evidence import DraftRequests, gather
 from pam_cosim.drafting.headings import MECHANICAL, Headings
 from pam_cosim.drafting.questions import (
     NewDataSet,
@@ -42,7 +42,6 @@ from pam_cosim.drafting.roles import (
     stated_roles,
 )
 from pam_cosim.drafting.values import (
-    OpenParameters,
     StatedValue,
     check_stated,
     following,
@@ -109,16 +108,13 @@ def draft(
             evidence = replace(evidence, columns=tuple(with_directions(evidence.columns, headings)))
         requests = replace(requests, model=model)
         bench = take_bench(place, class_name(folder), requests, interface, evidence, tree, describe)
-        evidence = with_length(with_full_names(evidence, bench.interface), bench)
+        bench = with_length(with_full_names(bench))
         copy_of = dict(zip(files, _copies(files, place), strict=True))
         copy_of |= {
             s.file: _anew(s, copy_of[s.file], place) for s in evidence.sources if s.is_merged
         }
-        for stated in (evidence.stated, *evidence.run_parameters):
-            check_stated(stated, bench.interface)
-        drafted = _draft(
-            requests, folder, bench, evidence, [copy_of[file] for file in evidence.files]
-        )
+        check_stated(bench)
+        drafted = _draft(requests, folder, bench, [copy_of[file] for file in evidence.files])
         text = document(drafted)
         (place / FILE_NAME).write_text(text, encoding="utf-8", newline="\n")
         data = _read(place, {copy: file for file, copy in copy_of.items()}, describe)
@@ -153,96 +149,77 @@ class UnsimulatedDraft(InputError):
         return type(self), (problem, self.new_data_set, self.text, self.interface)
 
 
-def _draft(
-    requests: DraftRequests, folder: Path, bench: Bench, evidence: Evidence, copies: Sequence[str]
-) -> Draft:
+def _draft(requests: DraftRequests, folder: Path, bench: Bench, copies: Sequence[str]) -> Draft:
     """The content of ``experiment.toml``."""
-    interface, choice, headings = bench.interface, bench.choice, evidence.headings
-    zero = "zero, for it follows from the measures that are stated"
-    follows = {n: (v, zero) for n, v in following(evidence.stated, interface).items()}
+    interface, evidence = bench.interface, bench.evidence
+    valves, values = ratings(requests.valve or "", bench)
     plain = "the muscle is not named: its fibres have no friction and cover nothing, unless an effect is added"
-    follows |= {n: (v, plain) for n, v in neutral(evidence, bench).items() if n not in follows}
-    valves, values = ratings(requests.valve or "", interface, headings)
-    sheet = f"the data sheet of the valves: {requests.valve}"
-    follows |= {name: (value, sheet) for name, value in values.items()}
+    follows = {}
+    for found, why in (
+        (following(bench), "zero, for it follows from the measures that are stated"),
+        (neutral(bench), plain),
+        (values, f"the data sheet of the valves: {requests.valve}"),
+    ):
+        follows |= {name: (value, why) for name, value in found.items()}
     if evidence.points:
-        check_imposed(
-            choice.unfed, [{*evidence.stated, *run} for run in evidence.run_parameters], interface
-        )
-    mapped = map_columns(choice, interface, evidence, valves)
-    values_by_run = values_told(evidence, bench, mapped)
-    guessed = _guessed_roles(bench, evidence, mapped, values_by_run)
+        check_imposed(bench)
+    mapped = map_columns(bench, valves)
+    values_by_run = values_told(bench, mapped)
+    guessed = _guessed_roles(bench, mapped, values_by_run)
     by_run = any(role.role == "holdout" for role in guessed) or bool(requests.roles)
-    measured = {*choice.outputs, *evidence.formulas}
-    outputs = [name for name in interface.outputs if name in measured]
-    meanings = headings.meanings({n: interface.outputs[n] for n in outputs})
-    kinds = {meaning.kind for meaning in meanings.values()}
+    measured = {*bench.choice.outputs, *evidence.formulas}
+    outputs = {n: bench.meanings[n].kind for n in interface.outputs if n in measured}
     # A thermometer lags behind the gas of a muscle: it is compared, and nothing is fitted to it.
-    moves = not {*kinds, *(c.kind for c in choice.inputs.values())}.isdisjoint(MECHANICAL)
-    slow = [name for name in outputs if meanings[name].kind == "temperature" and moves]
+    kinds = {*outputs.values(), *(c.kind for c in bench.choice.inputs.values())}
+    moves = not kinds.isdisjoint(MECHANICAL)
+    slow = [name for name, kind in outputs.items() if kind == "temperature" and moves]
     fitted = [name for name in outputs if name not in slow]
     return Draft(
         title=requests.title or folder.resolve().name,
-        evidence=evidence,
         bench=bench,
         mapped=mapped,
         files=copies,
-        ignored=_ignored(bench, evidence, mapped),
-        sigmas={name: _sigma(name, bench, evidence, mapped) for name in fitted},
+        ignored=_ignored(bench, mapped),
+        sigmas={name: _sigma(name, bench, mapped) for name in fitted},
         shown=slow if fitted else [],
         follows=follows,
         run_values=values_by_run,
-        open=_determined(
-            open_parameters(interface, headings, evidence.points), "temperature" in kinds
-        ),
+        open=open_parameters(bench, "temperature" in outputs.values()),
         roles=stated_roles(guessed, evidence.sources, requests.roles or {}),
-        interpolation=interpolation_of(_set_columns(bench, evidence), headings),
-        points=points_draft(mapped.runs, interface, evidence.files, by_run, headings)
-        if evidence.points
-        else None,
+        interpolation=interpolation_of(_set_columns(bench), bench.headings),
+        points=points_draft(mapped.runs, bench, by_run) if evidence.points else None,
         valve=requests.valve or "",
     )
 
 
-def _determined(parameters: OpenParameters, is_warm: bool) -> OpenParameters:
-    """The parameters, of which those that act through a temperature are free only where one was recorded."""
-    warm = {n: v for n, v in parameters.free.items() if "K" in v.unit.replace("kg", "")}
-    if is_warm:
-        return parameters
-    free = {n: v for n, v in parameters.free.items() if n not in warm}
-    return replace(parameters, free=free, perhaps={**parameters.perhaps, **warm})
-
-
 def _guessed_roles(
-    bench: Bench,
-    evidence: Evidence,
-    mapped: Mapped,
-    values_by_run: Sequence[Mapping[str, StatedValue]],
+    bench: Bench, mapped: Mapped, values_by_run: Sequence[Mapping[str, StatedValue]]
 ) -> list[Role]:
     """Which recordings are held out; none, where the length or load of a recording is unknown."""
-    unfed = {n: bench.interface.inputs[n] for n in bench.choice.unfed}
-    meanings = evidence.headings.meanings(unfed)
-    for name in (n for n, meaning in meanings.items() if meaning.kind in MECHANICAL):
-        if name not in evidence.stated and not all(name in run for run in evidence.run_parameters):
+    evidence = bench.evidence
+    for name in bench.choice.unfed:
+        is_stated = all(name in {**evidence.stated, **run} for run in evidence.run_parameters)
+        if bench.meanings[name].kind in MECHANICAL and not is_stated:
             return [Role("fit") for _ in mapped.runs]
     traits = [{n: value.number for n, value in run.items()} for run in values_by_run]
     return roles(mapped.runs, bench.interface, traits)
 
 
-def _sigma(name: str, bench: Bench, evidence: Evidence, mapped: Mapped) -> Sigma:
+def _sigma(name: str, bench: Bench, mapped: Mapped) -> Sigma:
     estimated = "the software estimates it from"
-    if name in evidence.formulas:
+    if name in bench.evidence.formulas:
         return Sigma(None, f"it is of a formula of yours: {estimated} the samples")
-    if evidence.points:
+    if bench.evidence.points:
         return Sigma(None, f"the rows are points at rest: {estimated} neighbouring ones")
-    return sigma_of(name, bench.interface.outputs[name].unit, mapped.runs, evidence.files)
+    return sigma_of(name, bench.signals[name].unit, mapped.runs, bench.evidence.files)
 
 
-def _set_columns(bench: Bench, evidence: Evidence) -> list[RecordedColumn]:
+def _set_columns(bench: Bench) -> list[RecordedColumn]:
     """The columns that feed inputs, as they are or by a formula."""
-    inputs = {n: text for n, text in evidence.formulas.items() if n in bench.interface.inputs}
-    names = used_in(replace(evidence, formulas=inputs))
-    return [*bench.choice.inputs.values(), *(c for c in evidence.columns if c.name in names)]
+    formulas = [t for n, t in bench.evidence.formulas.items() if n in bench.interface.inputs]
+    names = {name for text in formulas for name in names_in(text)}
+    read = [c for c in bench.evidence.columns if c.name in names]
+    return [*bench.choice.inputs.values(), *read]
 
 
 _IGNORED_KINDS = {
@@ -253,10 +230,10 @@ _IGNORED_KINDS = {
 }
 
 
-def _ignored(bench: Bench, evidence: Evidence, mapped: Mapped) -> dict[str, str]:
+def _ignored(bench: Bench, mapped: Mapped) -> dict[str, str]:
     """Columns that are not read, and why."""
-    used = {entry.column for entry in mapped.entries.values()} | used_in(evidence)
-    used |= {c.name for c in bench.choice.fed.values()}
+    evidence = bench.evidence
+    used = {entry.column for entry in mapped.entries.values()} | bench.used
     names = {column.meaning: name for name, column in bench.choice.fed.items()}
     reasons: dict[str, str] = {}
     if not any(source.is_merged for source in evidence.sources):

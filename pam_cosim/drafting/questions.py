@@ -189,7 +189,7 @@ def _what_holds_it(draft: Draft) -> Iterator[str]:
             f"{choice.inputs[forces[0]].name} is the reading of a load cell, name the bench, --model NAME "
             "('pam-cosim bench --list')"
         )
-    has_body = any(meaning.kind in MECHANICAL for meaning in draft.meanings.values())
+    has_body = any(meaning.kind in MECHANICAL for meaning in draft.bench.meanings.values())
     if draft.bench.why and not recorded & set(MECHANICAL) and not draft.points and not has_body:
         yield (
             "neither a length nor a force was recorded, so that this is taken for a vessel of fixed volume: if it "
@@ -204,7 +204,7 @@ def _what_drives_it(draft: Draft) -> Iterator[str]:
         description = draft.interface.inputs[name].description
         hint = f"--parameter '{name}=...', --column {name}=..., or of each file --parameter {name}@FILE=..."
         yield f"no column and no line of the files states the input {name} ({description}): {hint}"
-    unused = [c for c in draft.evidence.columns if c.name not in draft.used]
+    unused = [c for c in draft.evidence.columns if c.name not in draft.bench.used]
     volts = [c for c in unused if c.kind == "voltage"]
     for column in volts:
         roles = draft.evidence.headings.roles_of(column.name)
@@ -323,7 +323,7 @@ def _markers(draft: Draft) -> Iterator[str]:
 def _pressures(draft: Draft) -> Array:
     """Every pressure in the muscle, or the set points, that was recorded."""
     wanted = (PRESSURE, SET_PRESSURE)
-    names = [n for kind in wanted for n, meaning in draft.meanings.items() if meaning == kind]
+    names = [n for kind in wanted for n, meaning in draft.bench.meanings.items() if meaning == kind]
     return readings_of(draft.mapped, names)
 
 
@@ -348,7 +348,7 @@ def below_zero(draft: Draft) -> Iterator[tuple[str, float, str]]:
     fed = draft.bench.choice.fed.items() if draft.points is None else ()
     for name, column in fed:
         values = readings_of(draft.mapped, [name])
-        if draft.meanings[name] != meant("contraction") or not values.size:
+        if draft.bench.meanings[name] != meant("contraction") or not values.size:
             continue
         least = float(np.nanmin(values))
         if least < -CRITERIA.starts.offset * span(values):
@@ -374,7 +374,7 @@ def _absolute(draft: Draft) -> Iterator[str]:
     absolute = [e.name for e in entries.values() if any(ABSOLUTE_GAUGE in why for why in e.why)]
     supplies = [
         n
-        for n, meaning in draft.meanings.items()
+        for n, meaning in draft.bench.meanings.items()
         if meaning == meant("pressure", "supply") and n in entries
     ]
     for name in supplies if absolute else ():
@@ -402,7 +402,7 @@ def _angles(draft: Draft) -> Iterator[str]:
     """Angles that are not read, as of a pulley; directions of which no word is known."""
     lengths = any(c.kind in LENGTHS for c in draft.bench.choice.fed.values())
     for column in draft.evidence.columns:
-        if column.kind == "angle" and not lengths and column.name not in draft.used:
+        if column.kind == "angle" and not lengths and column.name not in draft.bench.used:
             yield (
                 f"{column.name} is an angle: if the load hangs on a pulley, state its radius, as in --column "
                 f"{scaling('x', column.name, '20 mm/rad')}"

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from pam_cosim.arrays import Array
+from pam_cosim.drafting.benches import Bench
 from pam_cosim.drafting.columns import RecordedColumn
 from pam_cosim.drafting.entries import SENSES, MappedRun
 from pam_cosim.drafting.headings import Headings, split_words
@@ -28,7 +29,7 @@ from pam_cosim.measurement.curves import ROWS_PER_CURVE, ROWS_PER_LEVEL, curves,
 from pam_cosim.measurement.markers import marker_of
 from pam_cosim.measurement.points import CONTRACTS, VALUE_TOLERANCE
 from pam_cosim.measurement.run_names import patterns_first
-from pam_cosim.model.interface import Interface
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import BRANCH
 from pam_cosim.units import format_quantity, readable_unit
 from pam_cosim.wording import shown
@@ -208,23 +209,17 @@ def _why_none(name: str, runs: Sequence[MappedRun]) -> str:
 # ---- points at rest: which way the muscle went, and rows that are held out -------------------------------------------
 
 
-def check_imposed(
-    unfed: Sequence[str], stated: Sequence[Collection[str]], interface: Interface
-) -> None:
-    """Checks that every imposed input has a value in each row.
-
-    Args:
-        unfed: inputs without a column, and without a value in the names of the files.
-        stated: by recording, names of the values that the user states.
-        interface: of the bench.
+def check_imposed(bench: Bench) -> None:
+    """Checks that every imposed input of points at rest has a value in each row.
 
     Raises:
         InputError: an imposed input has no value; the message names the option that states it.
     """
-    for name in unfed:
-        if all(name in names for names in stated):
+    evidence = bench.evidence
+    for name in (n for n in bench.choice.unfed if n not in evidence.stated):
+        if all(name in values for values in evidence.run_parameters):
             continue
-        variable = interface.inputs[name]
+        variable = bench.interface.inputs[name]
         unit = {"Pa": "kPa", "m": "mm"}.get(variable.unit, readable_unit(variable.unit))
         what = variable.description[:1].lower() + variable.description[1:]
         raise InputError(
@@ -233,30 +228,23 @@ def check_imposed(
         )
 
 
-def points_draft(
-    runs: Sequence[MappedRun],
-    interface: Interface,
-    files: Sequence[Path],
-    by_run: bool,
-    headings: Headings,
-) -> PointsDraft:
+def points_draft(runs: Sequence[MappedRun], bench: Bench, by_run: bool) -> PointsDraft:
     """Directions by the names of the files or the order of the rows where no column has them, and rows to hold out.
 
     Args:
         runs: tables.
-        interface: of the bench.
-        files: of the runs.
+        bench: of the runs.
         by_run: whole recordings are held out.
-        headings: with the words for directions.
     """
-    units = {name: variable.unit for name, variable in interface.inputs.items()}
+    inputs = bench.interface.inputs
     rows = [_imposed(run) for run in runs]
     branch = [""] * len(runs)
     if not any(BRANCH in run.inputs for run in runs):
-        branch = _in_names(files, headings) or _by_order([_ways(inputs, units) for inputs in rows])
+        in_names = _in_names(bench.evidence.files, bench.headings)
+        branch = in_names or _by_order([_ways(values, inputs) for values in rows])
     hold_out: list[dict[str, list[str]]] = [
-        {} if by_run else _held_out(inputs, run.outputs, interface)
-        for inputs, run in zip(rows, runs, strict=True)
+        {} if by_run else _held_out(values, run.outputs, inputs)
+        for values, run in zip(rows, runs, strict=True)
     ]
     return PointsDraft(tuple(branch), tuple(hold_out))
 
@@ -269,9 +257,9 @@ def _in_names(files: Sequence[Path], headings: Headings) -> list[str]:
     return [SENSES[sense] for way in ways for sense in way] if is_clear else []
 
 
-def _ways(inputs: Mapping[str, Array], units: Mapping[str, str]) -> Array:
+def _ways(inputs: Mapping[str, Array], variables: Mapping[str, Variable]) -> Array:
     """(n,) 1 or -1 by the order of the rows, 0 where the order has no direction."""
-    first = [name for unit in CONTRACTS for name in inputs if units[name] == unit]
+    first = [name for unit in CONTRACTS for name in inputs if variables[name].unit == unit]
     return directions(inputs, first)[0] if first else np.zeros(1)
 
 
@@ -292,7 +280,7 @@ def _imposed(run: MappedRun) -> dict[str, Array]:
 
 
 def _held_out(
-    inputs: Mapping[str, Array], outputs: Mapping[str, Array], interface: Interface
+    inputs: Mapping[str, Array], outputs: Mapping[str, Array], variables: Mapping[str, Variable]
 ) -> dict[str, list[str]]:
     """Values of the input with the most levels, within the span of the others; none where there are few levels."""
     count = len(next(iter(inputs.values())))
@@ -305,7 +293,7 @@ def _held_out(
     if not able:
         return {}
     name = max(able, key=lambda name: len(levels_by_input[name]))
-    values, unit = levels_by_input[name], interface.inputs[name].unit
+    values, unit = levels_by_input[name], variables[name].unit
     held_out = max(1, round(_HELD_OUT_SHARE * len(values)))
     places = np.round(np.linspace(0, len(values) - 1, held_out + 2)[1:-1]).astype(int)
     return {name: [text_of(values[i], unit) for i in places]}

@@ -10,8 +10,7 @@ import numpy as np
 from pam_cosim.drafting.benches import Bench
 from pam_cosim.drafting.columns import RecordedColumn
 from pam_cosim.drafting.entries import Mapped, MappedRun, length_parameter, longest_of
-from pam_cosim.drafting.evidence import Evidence
-from pam_cosim.drafting.headings import AT_REST, Headings, Meaning, load_in
+from pam_cosim.drafting.headings import AT_REST, Meaning, load_in
 from pam_cosim.drafting.shapes import REST_BAND, is_constant, span
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
@@ -47,35 +46,36 @@ def text_of(value: float, unit: str) -> str:
     return f"{number} {shown}".strip()
 
 
-def check_stated(stated: Mapping[str, str], interface: Interface) -> None:
+def check_stated(bench: Bench) -> None:
     """Raises InputError where a stated value has a unit that does not fit; names are checked when all is read."""
-    variables = {**interface.parameters, **interface.inputs}
-    for name, value in stated.items():
-        try:
-            parse_quantity(value, variables[name].unit if name in variables else "1")
-        except UnitError as error:
-            if name in variables:
+    for stated in (bench.evidence.stated, *bench.evidence.run_parameters):
+        for name in stated.keys() & bench.settable.keys():
+            try:
+                parse_quantity(stated[name], bench.settable[name].unit)
+            except UnitError as error:
                 raise InputError(f"--parameter {name}: {error}") from None
 
 
-def with_full_names(evidence: Evidence, interface: Interface) -> Evidence:
+def with_full_names(bench: Bench) -> Bench:
     """With the one parameter that has all parts of a name in their order, where the bench has none of that name."""
-    settable = {**interface.parameters, **interface.inputs}
 
     def full(values: Mapping[str, str]) -> dict[str, str]:
-        longer = {name: [n for n in settable if has_parts(name, n)] for name in values}
-        is_short = {n: n not in settable and len(names) == 1 for n, names in longer.items()}
+        longer = {name: [n for n in bench.settable if has_parts(name, n)] for name in values}
+        is_short = {n: n not in bench.settable and len(names) == 1 for n, names in longer.items()}
         return {longer[n][0] if is_short[n] else n: value for n, value in values.items()}
 
-    run_parameters = tuple(map(full, evidence.run_parameters))
-    return replace(evidence, stated=full(evidence.stated), run_parameters=run_parameters)
+    stated, of_runs = bench.evidence.stated, bench.evidence.run_parameters
+    evidence = replace(
+        bench.evidence, stated=full(stated), run_parameters=tuple(map(full, of_runs))
+    )
+    return replace(bench, evidence=evidence)
 
 
-def with_length(evidence: Evidence, bench: Bench) -> Evidence:
+def with_length(bench: Bench) -> Bench:
     """With the length of the muscle that a column, the user or the names of the files state."""
-    name = length_parameter(bench.interface)
+    name, evidence = length_parameter(bench.interface), bench.evidence
     if name is None or name in evidence.stated:
-        return evidence
+        return bench
     column = next((c for c in evidence.columns if c.meaning == AT_REST), None)
     length = bench.length
     if column is not None and span(column.samples) == 0.0:
@@ -84,40 +84,41 @@ def with_length(evidence: Evidence, bench: Bench) -> Evidence:
         nominal, longest = parse_quantity(length, "m"), longest_of(bench.choice)
         if longest is not None and abs(longest - nominal) <= _NOMINAL_TOLERANCE * nominal:
             length = text_of(longest, "m")  # As it was measured.
-    return replace(evidence, stated={**evidence.stated, name: length}) if length else evidence
+    stated = {**evidence.stated, name: length} if length else evidence.stated
+    return replace(bench, evidence=replace(evidence, stated=stated))
 
 
-def following(stated: Mapping[str, str], interface: Interface) -> dict[str, str]:
+def following(bench: Bench) -> dict[str, str]:
     """Zero for each measure of a sleeve that follows from those that are stated, and would contradict them.
 
     Raises:
         InputError: a default contradicts what is stated, and it is unknown which one; the message states what to type.
     """
-    owners = dict.fromkeys(name.rpartition(".")[0] for name in stated)
-    return {name: "0" for owner in owners for name in _following(f"{owner}.", stated, interface)}
+    owners = dict.fromkeys(name.rpartition(".")[0] for name in bench.evidence.stated)
+    return {name: "0" for owner in owners for name in _following(f"{owner}.", bench)}
 
 
-def _following(owner: str, stated: Mapping[str, str], interface: Interface) -> list[str]:
+def _following(owner: str, bench: Bench) -> list[str]:
+    stated, parameters = bench.evidence.stated, bench.interface.parameters
     names = [owner + measure for measure in _MEASURES]
-    if not all(name in interface.parameters for name in names):
+    if not parameters.keys() >= {*names}:
         return []
-    stated_names = [
-        n for n in names if n in stated and parse_quantity(stated[n], interface.parameters[n].unit)
-    ]
-    defaults = [name for name in names if name not in stated and interface.parameters[name].start]
-    if len(stated_names) + len(defaults) <= _ENOUGH or not defaults:
+    given = [n for n in names if n in stated and parse_quantity(stated[n], parameters[n].unit)]
+    defaults = [name for name in names if name not in stated and parameters[name].start]
+    if len(given) + len(defaults) <= _ENOUGH or not defaults:
         return []
-    if len(stated_names) >= _ENOUGH and {*stated_names} & {owner + measure for measure in _AROUND}:
+    if len(given) >= _ENOUGH and {*given} & {owner + measure for measure in _AROUND}:
         return defaults
     hint = " or ".join(f"--parameter {name}=0" for name in defaults)
     raise InputError(
-        f"the sleeve is determined by three of {listed(names)}: {listed(stated_names)} is stated, and the default of "
+        f"the sleeve is determined by three of {listed(names)}: {listed(given)} is stated, and the default of "
         f"{listed(defaults)} holds too; state three, or state which measure follows from the others: {hint}"
     )
 
 
-def neutral(evidence: Evidence, bench: Bench) -> dict[str, str]:
+def neutral(bench: Bench) -> dict[str, str]:
     """Neutral values of what only a named muscle has, where no muscle is named: an effect may add it."""
+    evidence = bench.evidence
     if bench.muscle or evidence.points:
         return {}
     values = dict(evidence.headings.vocabulary.neutral)
@@ -133,24 +134,24 @@ def neutral(evidence: Evidence, bench: Bench) -> dict[str, str]:
 # ---- values that the recordings state --------------------------------------------------------------------------------
 
 
-def values_told(evidence: Evidence, bench: Bench, mapped: Mapped) -> list[dict[str, StatedValue]]:
+def values_told(bench: Bench, mapped: Mapped) -> list[dict[str, StatedValue]]:
     """Values that each recording states, unless the user states them: the last of the following sources counts.
 
     Where an input begins, loads in its name, what its columns hold in addition, remarks above its rows, the user.
     """
-    interface, headings = bench.interface, evidence.headings
-    variables = {**interface.parameters, **interface.inputs}
+    evidence, settable = bench.evidence, bench.settable
     fed = bench.choice.fed.values()
     unused = [c for c in evidence.columns if c not in fed and c.meaning and c.unit]
-    loads = _loads(evidence, interface)
+    loads = _loads(bench)
     by_run = []
     for i, run in enumerate(mapped.runs):
-        values = loads[i] if evidence.points else {**_starts(run, interface), **loads[i]}
+        starts = {} if evidence.points else _starts(run, bench.interface)
+        values = {**starts, **loads[i]}
         for column in unused:
-            values |= _of_column(column, i, interface, headings)
-        values |= _of_remarks(i, evidence, bench)
+            values |= _of_column(column, i, bench)
+        values |= _of_remarks(i, bench)
         for name, value in evidence.run_parameters[i].items():
-            number = parse_quantity(value, variables[name].unit) if name in variables else 0.0
+            number = parse_quantity(value, settable[name].unit) if name in settable else 0.0
             values[name] = StatedValue(value, number, "")
         by_run.append({n: v for n, v in values.items() if n not in evidence.stated})
     return by_run
@@ -173,9 +174,7 @@ def _starts(run: MappedRun, interface: Interface) -> dict[str, StatedValue]:
     return starts
 
 
-def _of_column(
-    column: RecordedColumn, i: int, interface: Interface, headings: Headings
-) -> dict[str, StatedValue]:
+def _of_column(column: RecordedColumn, i: int, bench: Bench) -> dict[str, StatedValue]:
     """A load or an ambient condition that a column holds, where one parameter only can be meant."""
     values = column.values.get(i)
     is_ambient = "ambient" in column.meaning.roles
@@ -183,37 +182,37 @@ def _of_column(
         return {}
     if not (is_ambient or span(values) == 0.0 or is_constant(values)):
         return {}
-    unit = headings.units[column.kind]
+    unit = bench.headings.units[column.kind]
     mean = float(np.nanmean(convert(values, column.unit, unit)))
     told = StatedValue(
         text_of(mean, unit), mean, f"{column.name} was recorded, and this is its mean"
     )
-    return dict.fromkeys(_meant(column.meaning, mean, interface, headings), told)
+    return dict.fromkeys(_meant(column.meaning, mean, bench), told)
 
 
-def _of_remarks(i: int, evidence: Evidence, bench: Bench) -> dict[str, StatedValue]:
+def _of_remarks(i: int, bench: Bench) -> dict[str, StatedValue]:
     """What lines above the rows state, of a parameter or of an input that no column feeds."""
     values: dict[str, StatedValue] = {}
-    interface, headings = bench.interface, evidence.headings
-    unfed = headings.meanings({n: interface.inputs[n] for n in bench.choice.unfed})
-    for remark in evidence.remarks[i]:
-        number = parse_quantity(remark.value, headings.units[remark.meaning.kind])
-        names = [n for n, meaning in unfed.items() if meaning == remark.meaning]
-        if remark.meaning.kind == "mass" or "ambient" in remark.meaning.roles:
-            names = _meant(remark.meaning, number, interface, headings)
+    for remark in bench.evidence.remarks[i]:
+        meaning = remark.meaning
+        number = parse_quantity(remark.value, bench.headings.units[meaning.kind])
+        names = [name for name in bench.choice.unfed if bench.meanings[name] == meaning]
+        if meaning.kind == "mass" or "ambient" in meaning.roles:
+            names = _meant(meaning, number, bench)
         why = f"a line above the rows states it: {remark.text}"
         values |= dict.fromkeys(names, StatedValue(remark.value, number, why))
     return values
 
 
-def _meant(meaning: Meaning, value: float, interface: Interface, headings: Headings) -> list[str]:
+def _meant(meaning: Meaning, value: float, bench: Bench) -> list[str]:
     """The parameter of a kind, where there is one and it may have the value.
 
     What is around a rig is recorded as it is, and not against itself: a gauge pressure of the room is none.
     """
+    headings = bench.headings
     alike = [
         (name, v)
-        for name, v in interface.parameters.items()
+        for name, v in bench.interface.parameters.items()
         if v.unit == headings.units[meaning.kind]
         and "gauge" not in v.description.casefold()
         and headings.meaning_of(name.rpartition(".")[2], v.description, v.unit) == meaning
@@ -227,18 +226,18 @@ def _is_possible(value: float, parameter: Variable) -> bool:
     return bool(low <= value <= high)
 
 
-def _loads(evidence: Evidence, interface: Interface) -> list[dict[str, StatedValue]]:
+def _loads(bench: Bench) -> list[dict[str, StatedValue]]:
     """Loads in the names of the files, where one parameter only can be meant.
 
     Where a force is imposed, a weight is that force and no mass.
     """
     masses = [
         (name, v)
-        for name, v in interface.parameters.items()
+        for name, v in bench.interface.parameters.items()
         if v.unit == "kg" and "mass" in v.description.casefold()
     ]
-    weights = all(v.unit != "N" for v in interface.inputs.values())
-    found = [load_in(file.stem, weights) for file in evidence.files]
+    weights = all(v.unit != "N" for v in bench.interface.inputs.values())
+    found = [load_in(file.stem, weights) for file in bench.evidence.files]
     loads = [load for load in found if load is not None]
     is_clear = len(masses) == 1 and len(loads) == len(found)
     if not is_clear or not all(_is_possible(mass, masses[0][1]) for _, mass in loads):
@@ -260,31 +259,45 @@ class OpenParameters:
     to_state: dict[str, Variable]
 
 
-def open_parameters(interface: Interface, headings: Headings, points: bool) -> OpenParameters:
+def open_parameters(bench: Bench, is_warm: bool) -> OpenParameters:
     """Which parameters are free, by their descriptions.
 
+    Points at rest determine the rubber of a muscle but nothing that takes time.
+
     Args:
-        interface: of the bench.
-        headings: with the words for what is calibrated.
-        points: points at rest were recorded, which determine the rubber of a muscle but nothing that takes time.
+        bench: with the words for what is calibrated.
+        is_warm: a temperature was recorded; else what acts through one is not free.
     """
-    words = headings.vocabulary
-    hidden = _hidden(interface)
-    free = hidden if points else _told_by_fit(interface, words.calibrated, words.chosen)
-    perhaps = _told_by_fit(interface, words.uncertain, words.chosen)
+    words, parameters = bench.headings.vocabulary, bench.interface.parameters
+    fitted, perhaps = (
+        {
+            name: v
+            for name, v in parameters.items()
+            if name.count(".") == 1
+            and _is_bounded(v)
+            and v.unit not in _MEASURED
+            and _says(v, said)
+            and not _says(v, words.chosen)
+        }
+        for said in (words.calibrated, words.uncertain)
+    )
+    points, hidden = bench.evidence.points, _hidden(bench.interface)
+    free = hidden if points else fitted
     if points:
         perhaps = {name: v for name, v in perhaps.items() if _says(v, ["friction"])}
     else:
         perhaps |= hidden
     measurable = {
         n: v
-        for n, v in interface.parameters.items()
+        for n, v in parameters.items()
         if n.count(".") <= 1
         and n not in {*free, *perhaps}
         and _is_measure(n, v, words.chosen)
         and (is_geometry(v) or not points)
     }
-    return OpenParameters(free, perhaps, measurable)
+    warm = {} if is_warm else {n: v for n, v in free.items() if "K" in v.unit.replace("kg", "")}
+    free = {n: v for n, v in free.items() if n not in warm}
+    return OpenParameters(free, {**perhaps, **warm}, measurable)
 
 
 def is_geometry(variable: Variable) -> bool:
@@ -301,20 +314,6 @@ def _is_measure(name: str, variable: Variable, chosen: Sequence[str]) -> bool:
 def _says(variable: Variable, words: Sequence[str]) -> bool:
     description = variable.description.casefold()
     return any(word in description for word in words)
-
-
-def _told_by_fit(
-    interface: Interface, words: Sequence[str], chosen: Sequence[str]
-) -> dict[str, Variable]:
-    return {
-        name: v
-        for name, v in interface.parameters.items()
-        if name.count(".") == 1
-        and _is_bounded(v)
-        and v.unit not in _MEASURED
-        and _says(v, words)
-        and not _says(v, chosen)
-    }
 
 
 def _is_bounded(variable: Variable) -> bool:
