@@ -54,9 +54,8 @@ class BenchChoice:
         unfed: inputs that no column feeds.
         alternatives: names of benches that fit as well.
         freer: a bench that reads the lengths that this one imposes; "": there is none, or it imposes none that move.
-        cost: the lower, the better it fits.
-        roundabout: how far columns are from what is requested, as a length is from a contraction.
-        unread: how many of its outputs are not read.
+        order: the lower, the better it fits: what speaks against it, the rank of the bench, how far columns are from
+            what is requested, as a length is from a contraction, and how many of its outputs are not read.
         measured: something is measured; ``driven``: and what drives the runs was recorded.
     """
 
@@ -66,9 +65,7 @@ class BenchChoice:
     unfed: tuple[str, ...]
     alternatives: tuple[str, ...] = ()
     freer: str = ""
-    cost: float = 0.0
-    roundabout: float = 0.0
-    unread: int = 0
+    order: tuple[float, ...] = ()
     measured: bool = True
     driven: bool = True
 
@@ -127,7 +124,8 @@ class Bench:
     @cached_property
     def used(self) -> set[str]:
         """The columns that are read, also in a formula."""
-        return {c.name for c in self.choice.fed.values()} | used_in(self.evidence)
+        times = [self.evidence.time] if self.evidence.time is not None else []
+        return {c.name for c in (*self.choice.fed.values(), *times)} | used_in(self.evidence)
 
 
 def stated_interface(
@@ -299,13 +297,12 @@ def _choose(
         InputError: no bench has the names that the user states, or none can be fed.
     """
     choices = [_fed(bench, evidence, is_stated) for bench in _having(candidates, evidence)]
-    order = sorted(choices, key=lambda c: (c.cost, c.ports.rank, c.roundabout, c.unread))
-    best = order[0]
+    best, *others = sorted(choices, key=lambda c: c.order)
     if not (best.measured if is_stated else best.driven):
         raise InputError(_nothing_fits(best, evidence))
-    as_good = [c for c in order[1:] if c.cost <= best.cost]
+    as_good = [c for c in others if c.order[0] <= best.order[0]]
     moving = {column.name for column in best.moving_lengths.values()}
-    freer = [c for c in order[1:] if moving and _lets_go(c, best, moving)]
+    freer = [c for c in others if moving and _lets_go(c, best, moving)]
     alternatives = dict.fromkeys(c.ports.name for c in (*freer[:1], *as_good))
     inputs, outputs = (
         {n: _with_rivals(c, evidence, best, n) for n, c in side.items()}
@@ -321,7 +318,7 @@ def _lets_go(other: BenchChoice, best: BenchChoice, moving: set[str]) -> bool:
     """Whether a bench reads the lengths that the best one imposes although they move, and is fed as well."""
     is_fed = other.driven and len(other.unfed) <= len(best.unfed)
     read = {column.name for column in other.outputs.values()}
-    return is_fed and moving <= read and other.cost < best.cost + _BODILESS
+    return is_fed and moving <= read and other.order[0] < best.order[0] + _BODILESS
 
 
 def _having(candidates: Sequence[Ports], evidence: Evidence) -> list[Ports]:
@@ -385,9 +382,7 @@ def _fed(bench: Ports, evidence: Evidence, is_stated: bool) -> BenchChoice:
         inputs,
         outputs,
         unfed,
-        cost=cost,
-        roundabout=far_inputs + far_outputs,
-        unread=len(readable.keys() - measured),
+        order=(cost, bench.rank, far_inputs + far_outputs, len(readable.keys() - measured)),
         measured=bool(measured),
         driven=driven and bool(measured),
     )

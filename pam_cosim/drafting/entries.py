@@ -26,6 +26,7 @@ from pam_cosim.drafting.headings import (
     meant,
 )
 from pam_cosim.drafting.shapes import (
+    FEWEST_IN_WINDOW,
     LEAST_CORRELATION,
     REST_BAND,
     Rest,
@@ -126,9 +127,10 @@ def map_columns(bench: Bench, valves: Mapping[str, Scale]) -> Mapped:
         zeroed = {n: _with_zero(entries[n], bench, runs, pressure) for n in by_convention}
         entries |= zeroed
         runs = _runs(entries, bench)
-    time = evidence.time
-    unit = time and _unit_to_state(time)
-    first = {"time": ColumnEntry("time", time.name, unit, why=time.why)} if time else {}
+    first = {}
+    if evidence.time is not None:
+        time = evidence.time
+        first["time"] = ColumnEntry("time", time.name, _unit_to_state(time), why=time.why)
     formulas = {n: ColumnEntry(n, formula=text) for n, text in evidence.formulas.items()}
     return Mapped({**first, **entries, **formulas}, runs)
 
@@ -452,12 +454,13 @@ def _begin(name: str, runs: Sequence[MappedRun]) -> _Begin | None:
     having = {i: run for i, run in enumerate(runs) if name in run.signals}
     readings, errors = {}, {}
     for i, run in having.items():
-        values, count = run.signals[name], 0
-        if run.first_rest is not None:
-            count = run.first_rest.stop
-        elif begins_still(run.time, [v for v in run.signals.values() if np.isfinite(v).any()]):
+        values, rest = run.signals[name], run.first_rest
+        recorded = [v for v in run.signals.values() if np.isfinite(v).any()]
+        count = rest.stop if rest else 0
+        if rest is None and begins_still(run.time, recorded):
             count = int(np.sum(_still(run.time, values)))
-        part = values[:count][np.isfinite(values[:count])]
+        part = values[:count]
+        part = part[np.isfinite(part)]
         if part.size:
             least = REST_BAND * span(values) / NONZERO_READING
             readings[i] = float(np.mean(part))
@@ -478,7 +481,7 @@ def _begin(name: str, runs: Sequence[MappedRun]) -> _Begin | None:
 def _still(time: Array, values: Array) -> np.ndarray:
     """(n,) the first samples, as long as they stay where the first five are."""
     band = max(NONZERO_READING * noise_of(time, values), REST_BAND * span(values))
-    is_near = np.abs(values - float(np.nanmean(values[:5]))) <= band
+    is_near = np.abs(values - float(np.nanmean(values[:FEWEST_IN_WINDOW]))) <= band
     return np.cumprod(is_near | ~np.isfinite(values)).astype(bool)
 
 
@@ -552,8 +555,11 @@ def _unloaded(begin: _Begin, pressure: Numbers | None) -> bool:
     """Whether there is no pressure at the start of any recording, but for an offset."""
     measured = {i: v for i, v in (pressure or {}).items() if i in begin.readings}
     largest = max(map(span, measured.values()), default=0.0)
-    first = {i: begin.rests[i].stop if i in begin.rests else 5 for i in measured}
-    offsets = [float(np.nanmean(v[: first[i]]) - np.nanmin(v)) for i, v in measured.items()]
+    offsets = [
+        float(np.nanmean(v[: begin.rests[i].stop if i in begin.rests else FEWEST_IN_WINDOW]))
+        - float(np.nanmin(v))
+        for i, v in measured.items()
+    ]
     return largest > 0.0 and all(offset <= NO_PRESSURE * largest for offset in offsets)
 
 

@@ -36,7 +36,6 @@ _FACTOR = re.compile(
 _AT_END = re.compile(
     r"(?P<name>.+?)(?:\s*\((?P<round>.+)\)|\s+(?:/|in)\s+(?P<over>.+)|[\s_]+(?P<part>\d[^\s_]*))"
 )
-_DATA = re.compile(r"(?P<name>.+?)[._ ](?:data|values?)", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -144,8 +143,6 @@ class Headings:
 
     def read(self, name: str, unit: str) -> Heading:
         """What a column is, by its name and unit."""
-        data = _DATA.fullmatch(name)
-        name = data["name"] if data else name
         stated = "" if self.is_count(unit) else self.known_unit(unit)
         absolute = _says_absolute(unit, name)
         written_unit = unit.strip() or self.scaled_unit(name)

@@ -16,7 +16,6 @@ import numpy as np
 from pam_cosim.catalogue import vocabulary_of
 from pam_cosim.compiler import ClassTree
 from pam_cosim.drafting.benches import Bench, class_name, stated_interface, take_bench
-from pam_cosim.drafting.columns import RecordedColumn, names_in
 from pam_cosim.drafting.data_sheets import ratings
 from pam_cosim.drafting.document import Draft, document
 from pam_cosim.drafting.entries import Mapped, map_columns, with_directions
@@ -33,7 +32,6 @@ from pam_cosim.drafting.questions import (
 from pam_cosim.drafting.recordings import Source
 from pam_cosim.drafting.roles import (
     Role,
-    Sigma,
     check_imposed,
     interpolation_of,
     points_draft,
@@ -91,11 +89,9 @@ def draft(
     _check_place(folder)
     if not files:
         raise InputError("name the recordings, as data/*.csv")
-    twice = next(
-        (f for i, f in enumerate(files) if f.resolve() in {o.resolve() for o in files[:i]}), None
-    )
-    if twice is not None:  # its samples would count twice
-        raise InputError("the file is named twice", twice)
+    for file, others in ((file, files[:i]) for i, file in enumerate(files)):
+        if file.resolve() in {other.resolve() for other in others}:
+            raise InputError("the file is named twice", file)  # its samples would count twice
     with _temporary_sibling(folder) as place:
         model = requests.model
         if model is not None and is_file(model):
@@ -154,7 +150,7 @@ def _draft(requests: DraftRequests, folder: Path, bench: Bench, copies: Sequence
     interface, evidence = bench.interface, bench.evidence
     valves, values = ratings(requests.valve or "", bench)
     plain = "the muscle is not named: its fibres have no friction and cover nothing, unless an effect is added"
-    follows = {}
+    follows: dict[str, tuple[str, str]] = {}
     for found, why in (
         (following(bench), "zero, for it follows from the measures that are stated"),
         (neutral(bench), plain),
@@ -179,14 +175,14 @@ def _draft(requests: DraftRequests, folder: Path, bench: Bench, copies: Sequence
         bench=bench,
         mapped=mapped,
         files=copies,
-        ignored=_ignored(bench, mapped),
-        sigmas={name: _sigma(name, bench, mapped) for name in fitted},
+        ignored=_ignored(bench),
+        sigmas={name: sigma_of(name, bench, mapped.runs) for name in fitted},
         shown=slow if fitted else [],
         follows=follows,
         run_values=values_by_run,
         open=open_parameters(bench, "temperature" in outputs.values()),
         roles=stated_roles(guessed, evidence.sources, requests.roles or {}),
-        interpolation=interpolation_of(_set_columns(bench), bench.headings),
+        interpolation=interpolation_of(bench),
         points=points_draft(mapped.runs, bench, by_run) if evidence.points else None,
         valve=requests.valve or "",
     )
@@ -205,23 +201,6 @@ def _guessed_roles(
     return roles(mapped.runs, bench.interface, traits)
 
 
-def _sigma(name: str, bench: Bench, mapped: Mapped) -> Sigma:
-    estimated = "the software estimates it from"
-    if name in bench.evidence.formulas:
-        return Sigma(None, f"it is of a formula of yours: {estimated} the samples")
-    if bench.evidence.points:
-        return Sigma(None, f"the rows are points at rest: {estimated} neighbouring ones")
-    return sigma_of(name, bench.signals[name].unit, mapped.runs, bench.evidence.files)
-
-
-def _set_columns(bench: Bench) -> list[RecordedColumn]:
-    """The columns that feed inputs, as they are or by a formula."""
-    formulas = [t for n, t in bench.evidence.formulas.items() if n in bench.interface.inputs]
-    names = {name for text in formulas for name in names_in(text)}
-    read = [c for c in bench.evidence.columns if c.name in names]
-    return [*bench.choice.inputs.values(), *read]
-
-
 _IGNORED_KINDS = {
     "count": "a count of rows or cycles",
     "direction": "a direction, which follows from the time series",
@@ -230,17 +209,16 @@ _IGNORED_KINDS = {
 }
 
 
-def _ignored(bench: Bench, mapped: Mapped) -> dict[str, str]:
+def _ignored(bench: Bench) -> dict[str, str]:
     """Columns that are not read, and why."""
     evidence = bench.evidence
-    used = {entry.column for entry in mapped.entries.values()} | bench.used
     names = {column.meaning: name for name, column in bench.choice.fed.items()}
     reasons: dict[str, str] = {}
     if not any(source.is_merged for source in evidence.sources):
         reasons = dict.fromkeys(evidence.recording.ignore or (), "as you state")
         for source in evidence.sources:
             reasons |= dict.fromkeys(source.texts, "a column of text")
-    for column in (c for c in evidence.columns if c.name not in used):
+    for column in (c for c in evidence.columns if c.name not in bench.used):
         meaning = column.meaning
         around = column.kind == "mass" or not meaning.roles.isdisjoint(("ambient", "rest"))
         what = "a parameter" if around else "neither an input nor an output of this bench"

@@ -454,10 +454,10 @@ def _free_example(interface: Interface) -> str:
     for name, v in interface.parameters.items():
         if v.kind == "Real" and v.start:
             low, high = sorted((v.start / 2, 2 * v.start))
-            limited = replace(v, min=max(low, _or(v.min, low)), max=min(high, _or(v.max, high)))
+            low, high = (
+                (low if v.min is None else max(v.min, low)),
+                (high if v.max is None else min(v.max, high)),
+            )
+            limited = replace(v, min=low, max=high)
             return f"write under [fit] what a fit may change, such as {bounds(name, limited)}"
     return "the model has no parameter that a fit can change"
-
-
-def _or(limit: float | None, other: float) -> float:
-    return other if limit is None else limit

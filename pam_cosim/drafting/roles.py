@@ -10,7 +10,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.drafting.benches import Bench
-from pam_cosim.drafting.columns import RecordedColumn
+from pam_cosim.drafting.columns import names_in
 from pam_cosim.drafting.entries import SENSES, MappedRun
 from pam_cosim.drafting.headings import Headings, split_words
 from pam_cosim.drafting.recordings import Source, places_of
@@ -164,10 +164,13 @@ def stated_roles(
 # ---- conventions of a logger: between samples, and noise -------------------------------------------------------------
 
 
-def interpolation_of(columns: Sequence[RecordedColumn], headings: Headings) -> str:
+def interpolation_of(bench: Bench) -> str:
     """``previous`` where what is imposed keeps its value between steps, in any file: a logger has one way for all."""
-    read = headings.with_trait("counted")
-    for column in columns:
+    read = bench.headings.with_trait("counted")
+    formulas = [t for n, t in bench.evidence.formulas.items() if n in bench.interface.inputs]
+    names = {name for text in formulas for name in names_in(text)}
+    in_formulas = [c for c in bench.evidence.columns if c.name in names]
+    for column in (*bench.choice.inputs.values(), *in_formulas):
         is_read = column.kind in read and "set" not in column.meaning.roles
         for values in column.values.values():
             keeps = is_held(values) and (is_repeated(values) or not is_read)
@@ -176,17 +179,22 @@ def interpolation_of(columns: Sequence[RecordedColumn], headings: Headings) -> s
     return "linear"
 
 
-def sigma_of(name: str, unit: str, runs: Sequence[MappedRun], files: Sequence[Path]) -> Sigma:
+def sigma_of(name: str, bench: Bench, runs: Sequence[MappedRun]) -> Sigma:
     """The median over the recordings, each of its longest rest."""
+    unit, estimated = bench.signals[name].unit, "the software estimates it from"
+    if name in bench.evidence.formulas:
+        return Sigma(None, f"it is of a formula of yours: {estimated} the samples")
+    if bench.evidence.points:
+        return Sigma(None, f"the rows are points at rest: {estimated} neighbouring ones")
     estimates = []
-    for run, file in zip(runs, files, strict=True):
+    for run, file in zip(runs, bench.evidence.files, strict=True):
         rest = max(run.rests, key=lambda r: r.count, default=None)
         if rest is not None and name in run.outputs:
             sigma, step = noise_at_rest(run.time, run.outputs[name], rest)
             if sigma > 0.0:
                 estimates.append((sigma, step, rest, run, file))
     if not estimates:
-        return Sigma(None, f"{_why_none(name, runs)}: the software estimates it from the samples")
+        return Sigma(None, f"{_why_none(name, runs)}: {estimated} the samples")
     value = float(np.median([sigma for sigma, *_ in estimates]))
     _, step, longest, run, file = max(estimates, key=lambda e: e[2].count)
     first, last = (round(float(run.time[i]), 3) for i in (longest.start, longest.stop - 1))
