@@ -85,6 +85,12 @@ record Vocabulary "Words of the field for recorded quantities, their usual units
   constant String uncertain[:] = {"coefficient of friction", "damping", "friction"}
     "Further parameters that may be free";
   constant String chosen[:] = {"filter"} "Parameters that are chosen and neither stated nor fitted";
+  constant String walls[:] = {"loss of the wall", "wall bends open", "threshold pressure"}
+    "Parameters of what the wall of a muscle takes of its pull, where no rule reaches";
+  constant String fibres[:] = {"fibres lie", "fibres and axis"} "Parameters of where the fibres of a wall lie";
+  constant String measures[:, 2] = {{"L0", "along"}, {"D0", "around"}, {"turns", "around"}, {"b", "along"},
+    {"alpha_0", "along"}}
+    "Measures of a sleeve, its length first: three determine it, one of them around it";
   constant String neutral[:, 2] = {{"mu_fb", "0"}, {"mu_d", "0"}, {"fibres", "1"}}
     "Values of an unnamed muscle: fibres without friction that cover nothing. Friction is looked for then";
   annotation (Documentation(info="<html>

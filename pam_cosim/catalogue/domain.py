@@ -137,6 +137,9 @@ _ROWS = {
     "calibrated": 0,
     "uncertain": 0,
     "chosen": 0,
+    "walls": 0,
+    "fibres": 0,
+    "measures": 2,
     "neutral": 2,
 }
 _FORMS = {

@@ -100,16 +100,15 @@ def guesses(draft: Draft) -> tuple[Guess, ...]:
     rows = [_of_column(name, entry, columns.get(name), draft) for name, entry in entries]
     rows += [Guess(name, "not read", why) for name, why in draft.ignored.items()]
     for reason in dict.fromkeys(why for _, why in draft.follows.values()):
-        names = {n: value for n, (value, why) in draft.follows.items() if why == reason}
-        rows.append(Guess(", ".join(names), ", ".join(names.values()), f"guessed: {reason}"))
+        values = {n: value for n, (value, why) in draft.follows.items() if why == reason}
+        rows.append(Guess(", ".join(values), ", ".join(values.values()), f"guessed: {reason}"))
     for name, sigma in draft.sigmas.items():
         unit = draft.interface.outputs[name].unit
         noise = "left out" if sigma.value is None else format_quantity(sigma.value, unit)
         rows.append(Guess(f"sigma of {name}", noise, f"guessed: {sigma.why}"))
-    for file, role in zip(draft.recordings, draft.roles, strict=True):
-        if role.why:
-            rows.append(Guess(file, role.role, f"guessed: {role.why}"))
-    for i, file in enumerate(draft.recordings if draft.points else ()):
+    named = list(zip(draft.recordings, draft.roles, strict=True))
+    rows += [Guess(f, role.role, f"guessed: {role.why}") for f, role in named if role.why]
+    for i, (file, _) in enumerate(named if draft.points else ()):
         rows += _of_points(draft, i, file)
     return tuple(rows)
 
@@ -245,20 +244,20 @@ def _valve_data(draft: Draft) -> Iterator[str]:
 
 
 def _which_muscle(draft: Draft) -> Iterator[str]:
-    name = next((n for n in draft.open.to_state if n.endswith(".L0")), "")
-    stated = {*draft.evidence.stated, *(n for run in draft.evidence.run_parameters for n in run)}
-    if draft.bench.muscle or not any(
-        n.rpartition(".")[2] == "L0" for n in draft.interface.parameters
-    ):
+    bench = draft.bench
+    length = [measure for measure, _ in bench.headings.vocabulary.measures][:1]
+    names = [n for n in draft.interface.parameters if n.rpartition(".")[2] in length]
+    is_ready = not bench.why and not bench.composed
+    if not names or bench.muscle or is_ready or {*names} & {*draft.evidence.stated_names}:
         return
-    if not draft.bench.why and not draft.bench.composed:
-        return
-    if not any(n.rpartition(".")[2] == "L0" for n in stated):
-        yield (
-            "the muscle is not stated: the bench's default is used without the friction of its fibres; add "
-            "--muscle DMSP-20-300 (type and length in mm; 'pam-cosim bench --list' has the types)"
-            + (f", or its measures, --parameter '{name}=250 mm' and more" if name else "")
-        )
+    name = next((n for n in names if n in draft.open.to_state), "")
+    more = f", or its measures, --parameter '{name}=250 mm' and more"
+    yield (
+        "the muscle is not stated: the bench's default is used without the friction of its fibres; add "
+        "--muscle DMSP-20-300 (type and length in mm; 'pam-cosim bench --list' has the types)"
+        + more
+        * bool(name)
+    )
 
 
 def _geometry(draft: Draft) -> Iterator[str]:

@@ -22,10 +22,6 @@ _DATA_SHEET_TOLERANCE = 0.3  # of its value: bounds of a parameter of the fibres
 # What a rule, scales, a thermometer, a gauge or the maker's drawing shows is stated, not fitted.
 _MEASURED = ("m", "m2", "m3", "kg", "kg.m2", "K", "Pa", "N")
 _GEOMETRY = ("m", "m2", "m3", "kg", "kg.m2", "1", "")
-# What lies in the rubber of a muscle, where no rule reaches: of the fibres, and of the wall.
-_OF_FIBRES = ("fibres lie", "fibres and axis")
-_OF_WALLS = ("loss of the wall", "wall bends open", "Threshold pressure")
-_MEASURES, _AROUND = ("L0", "D0", "turns", "b", "alpha_0"), ("D0", "turns")
 _ENOUGH = 3  # measures of a sleeve, one of them around, determine it
 
 
@@ -100,14 +96,16 @@ def following(bench: Bench) -> dict[str, str]:
 
 def _following(owner: str, bench: Bench) -> list[str]:
     stated, parameters = bench.evidence.stated, bench.interface.parameters
-    names = [owner + measure for measure in _MEASURES]
+    measures = dict(bench.headings.vocabulary.measures)
+    names = [owner + measure for measure in measures]
     if not parameters.keys() >= {*names}:
         return []
     given = [n for n in names if n in stated and parse_quantity(stated[n], parameters[n].unit)]
     defaults = [name for name in names if name not in stated and parameters[name].start]
     if len(given) + len(defaults) <= _ENOUGH or not defaults:
         return []
-    if len(given) >= _ENOUGH and {*given} & {owner + measure for measure in _AROUND}:
+    around = [n for n in given if measures[n.removeprefix(owner)] == "around"]
+    if len(given) >= _ENOUGH and around:
         return defaults
     hint = " or ".join(f"--parameter {name}=0" for name in defaults)
     raise InputError(
@@ -281,7 +279,7 @@ def open_parameters(bench: Bench, is_warm: bool) -> OpenParameters:
         }
         for said in (words.calibrated, words.uncertain)
     )
-    points, hidden = bench.evidence.points, _hidden(bench.interface)
+    points, hidden = bench.evidence.points, _hidden(bench)
     free = hidden if points else fitted
     if points:
         perhaps = {name: v for name, v in perhaps.items() if _says(v, ["friction"])}
@@ -320,15 +318,16 @@ def _is_bounded(variable: Variable) -> bool:
     return variable.min is not None and variable.max is not None
 
 
-def _hidden(interface: Interface) -> dict[str, Variable]:
+def _hidden(bench: Bench) -> dict[str, Variable]:
     """Measures within the wall of a muscle that has one: where its fibres lie, and what the wall takes of its pull."""
-    deep = {n: v for n, v in interface.parameters.items() if n.count(".") == 2 and _is_bounded(v)}
-    walls = {n: v for n, v in deep.items() if any(word in v.description for word in _OF_WALLS)}
+    words, parameters = bench.headings.vocabulary, bench.interface.parameters
+    deep = {n: v for n, v in parameters.items() if n.count(".") == 2 and _is_bounded(v)}
+    walls = {n: v for n, v in deep.items() if _says(v, words.walls)}
     owners = {_owner(name) for name in walls}
     fibres = {
         n: _nearby(v)
         for n, v in deep.items()
-        if v.start and _owner(n) in owners and any(word in v.description for word in _OF_FIBRES)
+        if v.start and _owner(n) in owners and _says(v, words.fibres)
     }
     return {**fibres, **walls}
 

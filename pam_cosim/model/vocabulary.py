@@ -24,6 +24,9 @@ class Vocabulary:
         calibrated: words in descriptions of parameters that a fit determines.
         uncertain: likewise, of those that may be free in addition.
         chosen: likewise, of those that are neither stated nor fitted.
+        walls: likewise, of what the wall of a muscle takes of its pull; ``fibres``: of where the fibres of a wall lie.
+        measures: rows of a measure of a sleeve, the length first, and whether it is one "around" the sleeve; three,
+            one of them around, determine it.
         neutral: rows of a parameter and its value where the user names no part that has it.
     """
 
@@ -39,4 +42,7 @@ class Vocabulary:
     calibrated: tuple[str, ...] = ()
     uncertain: tuple[str, ...] = ()
     chosen: tuple[str, ...] = ()
+    walls: tuple[str, ...] = ()
+    fibres: tuple[str, ...] = ()
+    measures: tuple[tuple[str, str], ...] = ()
     neutral: tuple[tuple[str, str], ...] = ()
