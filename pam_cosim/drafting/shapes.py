@@ -172,11 +172,11 @@ def _levels(interval: Rest, columns: Sequence[tuple[Array, float, float]]) -> li
 def noise_at_rest(time: Array, values: Array, interval: Rest) -> tuple[float, float]:
     """Standard deviation at rest and the step of the record (0: none); 0 where the samples show neither."""
     most = PIECE * PIECES
-    inside = slice(interval.start, min(interval.stop, interval.start + most))
+    inside = values[interval.start : min(interval.stop, interval.start + most)]
     step = record_step(values[:most])
-    sigma = estimate_noise(time[inside], values[inside])
+    sigma = estimate_noise(time[interval.start :][: len(inside)], inside)
     if not isfinite(sigma):
-        steps = np.diff(values[inside])
+        steps = np.diff(inside)
         sigma = sqrt(float(np.nanmean(steps**2)) / 2.0) if np.isfinite(steps).any() else 0.0
     sigma = max(sigma, step / sqrt(12.0))
     return (sigma, step) if sigma > _COMPUTED_SCATTER * span(values) else (0.0, 0.0)

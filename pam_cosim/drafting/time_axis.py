@@ -256,33 +256,25 @@ def even_interval(times: Sequence[Array]) -> str | None:
     Args:
         times: (n,) [s] of each recording.
     """
-    intervals = list(map(_interval, times))
-    if not intervals or intervals[0] is None or None in intervals:
+    if not times or not all(map(_is_coarse, times)):
         return None
-    steps = [usual_step(np.diff(time)) for time in times]
-    interval = _rounded(intervals[0], len(times[0]), steps[0])
+    first, steps = times[0], [usual_step(np.diff(time)) for time in times]
+    slope = float(np.polyfit(np.arange(len(first)), first, 1)[0])
+    # as few digits as put the last row off by less than half a step of the clock
+    short = (float(f"{slope:.{digits}g}") for digits in range(1, 9))
+    interval = next((s for s in short if abs(s - slope) * len(first) < steps[0] / 2.0), slope)
     even = all(
-        np.ptp(t - t[0] - interval * np.arange(len(t))) <= 1.5 * s
-        for t, s in zip(times, steps, strict=True)
+        np.ptp(time - interval * np.arange(len(time))) <= 1.5 * step
+        for time, step in zip(times, steps, strict=True)
     )
     return f"{1e3 * interval:g} ms" if even else None
 
 
-def _interval(time: Array) -> float | None:
-    """[s], the slope of a straight line through the times over the rows."""
+def _is_coarse(time: Array) -> bool:
+    """Whether most rows share their time [s] with a neighbour."""
     _, count = np.unique(time, return_counts=True)
-    if len(count) < 2 or float(np.median(count)) < 2.0 or (np.diff(time) < 0.0).any():
-        return None
-    return float(np.polyfit(np.arange(len(time)), time, 1)[0])
-
-
-def _rounded(interval: float, rows: int, step: float) -> float:
-    """The interval with as few digits as put the last row off by less than half a step of the clock."""
-    for digits in range(1, 9):
-        short = float(f"{interval:.{digits}g}")
-        if abs(short - interval) * rows < step / 2.0:
-            return short
-    return interval
+    goes_on = not (np.diff(time) < 0.0).any()
+    return goes_on and len(count) > 1 and float(np.median(count)) >= 2.0
 
 
 def _difference(

@@ -339,13 +339,18 @@ def test_a_contraction_below_zero_is_asked_about(tmp_path: Path) -> None:
         assert len(told) == (zero > 0.0)
 
 
-def test_a_set_point_with_times_of_its_own_stands_at_them(tmp_path: Path) -> None:
+@pytest.mark.parametrize("order", [(0, 1, 2, 3), (0, 2, 1, 3)], ids=["pairs", "times first"])
+def test_a_set_point_with_times_of_its_own_stands_at_them(
+    tmp_path: Path, order: tuple[int, ...]
+) -> None:
     """The times of a set point are no set point: they are compared with the others as any clock."""
+    names = ("p_set.Time", "p_set.Data [bar]", "p.Time", "p.Data [bar]")
 
     def row(k: int) -> list[object]:
-        return [f"{2.0 * TIME[k]:.2f}", SET_POINT[k], f"{TIME[k]:.2f}", READ[k], LENGTH[k]]
+        cells = [f"{2.0 * TIME[k]:.2f}", SET_POINT[k], f"{TIME[k]:.2f}", READ[k]]
+        return [cells[i] for i in order]
 
-    heading = "p_set.Time,p_set.Data [bar],p.Time,p.Data [bar],x [mm]"
+    heading = ",".join(names[i] for i in order)
     (run,) = pam.new(tmp_path / "rig", [write(tmp_path / "a.csv", heading, row)]).data.runs
     assert run.inputs["p_set"].max() == 5e5 and run.time[-1] == pytest.approx(2.0 * TIME[-1])
     assert run.time[np.argmax(run.inputs["p_set"])] == pytest.approx(4.0)
