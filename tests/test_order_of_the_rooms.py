@@ -26,7 +26,7 @@ FLOORS = (
     {"simulation": 23300},
     {"measurement": 48700, "analysis": 15500, "sweeps": 10600},
     {"starts": 10600},
-    {"cosimulation": 19500, "comparison": 18600, "drafting": 41800},
+    {"cosimulation": 19500, "comparison": 18600, "drafting": 40700},
     {"fitting": 26400, "ledger": 20900},
     {"problems": 5200},
     {"diagnosis": 63300},
