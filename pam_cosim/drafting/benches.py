@@ -281,8 +281,9 @@ def _empties(column: RecordedColumn) -> bool:
 def _why(choice: BenchChoice) -> str:
     fed = listed(f"{name} = {column.name}" for name, column in choice.fed.items())
     why = f"guessed: the bench, because its inputs and outputs were recorded: {fed}"
-    others = f". Other benches fit as well: {listed(choice.alternatives)}"
-    return why + others * bool(choice.alternatives)
+    if not choice.alternatives:
+        return why
+    return f"{why}. Other benches fit as well: {listed(choice.alternatives)}"
 
 
 # ---- which bench the recordings can feed, and by which column each of its inputs and outputs -------------------------

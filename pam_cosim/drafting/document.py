@@ -154,7 +154,7 @@ def _texts(values: Iterable[str]) -> str:
 
 def _columns(draft: Draft) -> Iterator[str]:
     entries = draft.mapped.entries.values()
-    shared = [entry for entry in entries if not _own(draft, entry) and _told(entry)]
+    shared = [entry for entry in entries if not _own(draft, entry) and _is_needed(entry)]
     if shared:
         yield "[columns]"
     for entry in shared:
@@ -168,7 +168,8 @@ def _own(draft: Draft, entry: ColumnEntry) -> bool:
     return len(having) < len(draft.files) or differs
 
 
-def _told(entry: ColumnEntry) -> bool:
+def _is_needed(entry: ColumnEntry) -> bool:
+    """Whether the column has another name, unit, sign or zero than the bench."""
     renamed = entry.column is not None and entry.column != entry.name
     return bool(renamed or entry.unit or entry.formula or entry.zero or entry.words or entry.gain)
 
@@ -314,7 +315,7 @@ def _run(draft: Draft, i: int) -> Iterator[str]:
             yield from _guessed(name, value.why)
         yield f"{toml_string(name)} = {_value(value.value)}"
     having = [e for e in draft.mapped.entries.values() if i in draft.having(e.name)]
-    entries = [entry for entry in having if _own(draft, entry) and _told(entry)]
+    entries = [entry for entry in having if _own(draft, entry) and _is_needed(entry)]
     if entries:
         yield "[runs.columns]"
     for entry in entries:

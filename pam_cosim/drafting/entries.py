@@ -353,7 +353,8 @@ def _why_reversed(
         samples = np.concatenate(list(values.values()))
         low, high = float(np.nanmin(samples)), float(np.nanmax(samples))
         negative = float(np.nanmean(samples)) < 0.0 and abs(low) > abs(high)
-        return "it is below zero: its sign is turned round, so that a pull is positive" * negative
+        why = "it is below zero: its sign is turned round, so that a pull is positive"
+        return why if negative else ""
     if meaning.kind != "contraction" or pressure is None or column.of("length"):
         return ""
     together = correlation(pressure, values)
@@ -541,14 +542,14 @@ def _reason_of_gauge(begin: _Begin) -> str:
     """Why a pressure gets a zero; "" where it needs none."""
     if begin.absolute:
         return f"it begins with {{reading}}, {ABSOLUTE_GAUGE}"
-    return "it begins at rest with {reading}" * (begin.far and begin.slight)
+    return "it begins at rest with {reading}" if begin.far and begin.slight else ""
 
 
 def _reason_of_unloaded(meaning: Meaning, begin: _Begin) -> str:
     """Why what is read of a muscle without pressure gets a zero; "" where it needs none."""
     is_small = abs(begin.reading) <= CRITERIA.starts.offset * begin.largest
     needed = meaning.kind == "contraction" or (meaning.kind == "force" and is_small)
-    return "it begins at rest, without pressure, with {reading}" * needed
+    return "it begins at rest, without pressure, with {reading}" if needed else ""
 
 
 def _unloaded(begin: _Begin, pressure: Numbers | None) -> bool:

@@ -45,7 +45,7 @@ from pam_cosim.drafting.values import (
     following,
     neutral,
     open_parameters,
-    values_told,
+    values_of_runs,
     with_full_names,
     with_length,
 )
@@ -160,7 +160,7 @@ def _draft(requests: DraftRequests, folder: Path, bench: Bench, copies: Sequence
     if evidence.points:
         check_imposed(bench)
     mapped = map_columns(bench, valves)
-    values_by_run = values_told(bench, mapped)
+    values_by_run = values_of_runs(bench, mapped)
     guessed = _guessed_roles(bench, mapped, values_by_run)
     by_run = any(role.role == "holdout" for role in guessed) or bool(requests.roles)
     measured = {*bench.choice.outputs, *evidence.formulas}

@@ -251,12 +251,10 @@ def _which_muscle(draft: Draft) -> Iterator[str]:
     if not names or bench.muscle or is_ready or {*names} & {*draft.evidence.stated_names}:
         return
     name = next((n for n in names if n in draft.open.to_state), "")
-    more = f", or its measures, --parameter '{name}=250 mm' and more"
+    more = f", or its measures, --parameter '{name}=250 mm' and more" if name else ""
     yield (
-        "the muscle is not stated: the bench's default is used without the friction of its fibres; add "
-        "--muscle DMSP-20-300 (type and length in mm; 'pam-cosim bench --list' has the types)"
-        + more
-        * bool(name)
+        "the muscle is not stated: the bench's default is used without the friction of its fibres; add --muscle "
+        f"DMSP-20-300 (type and length in mm; 'pam-cosim bench --list' has the types){more}"
     )
 
 

@@ -132,7 +132,7 @@ def neutral(bench: Bench) -> dict[str, str]:
 # ---- values that the recordings state --------------------------------------------------------------------------------
 
 
-def values_told(bench: Bench, mapped: Mapped) -> list[dict[str, StatedValue]]:
+def values_of_runs(bench: Bench, mapped: Mapped) -> list[dict[str, StatedValue]]:
     """Values that each recording states, unless the user states them: the last of the following sources counts.
 
     Where an input begins, loads in its name, what its columns hold in addition, remarks above its rows, the user.
@@ -182,10 +182,10 @@ def _of_column(column: RecordedColumn, i: int, bench: Bench) -> dict[str, Stated
         return {}
     unit = bench.headings.units[column.kind]
     mean = float(np.nanmean(convert(values, column.unit, unit)))
-    told = StatedValue(
+    mean_value = StatedValue(
         text_of(mean, unit), mean, f"{column.name} was recorded, and this is its mean"
     )
-    return dict.fromkeys(_meant(column.meaning, mean, bench), told)
+    return dict.fromkeys(_meant(column.meaning, mean, bench), mean_value)
 
 
 def _of_remarks(i: int, bench: Bench) -> dict[str, StatedValue]:
