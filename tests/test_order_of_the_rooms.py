@@ -19,7 +19,7 @@ FLOORS = (
     {"files": 2300, "counts": 280, "processes": 4150, "toml_text": 800},
     {"cache": 720, "store": 1200},
     {"units": 3500},
-    {"exports": 790, "model": 2800},
+    {"exports": 790, "model": 2900},
     {"compiler": 62900},
     {"catalogue": 15700},
     {"fmu": 25200},
