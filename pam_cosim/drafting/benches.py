@@ -175,7 +175,8 @@ def take_bench(
     named_muscle, length = muscle_in(texts, [part.name for part in muscles])
     muscle = named_muscle or requests.muscle
     needed = muscle or _part_with(evidence.stated, muscles, tree)
-    choice = _choose(_candidates(requests.model, needed, evidence, tree), evidence)
+    candidates = _candidates(requests.model, needed, evidence, tree)
+    choice = _choose(_with_stated_parts(candidates, evidence, tree), evidence)
     why = "" if requests.model else _why(choice)
     if not choice.ports.parts:
         return Bench(choice, choice.ports.name, describe(choice.ports.name), evidence, why)
@@ -259,6 +260,23 @@ def _candidates(
     # A row has what acts on the muscle: a table contains no mass, spring or lever.
     chosen = [*ready, *parts]
     return [b for b in chosen if not points or _mechanical(b.inputs, evidence.headings)]
+
+
+def _with_stated_parts(
+    candidates: Sequence[Ports], evidence: Evidence, tree: ClassTree
+) -> list[Ports]:
+    """The benches that lack fewest of the parts of which the user states a parameter, as the spring of ``spring.k``."""
+    part_names = {p.qualified_name: p.component_name for p in rig_parts(tree) if p.role != "muscle"}
+    owners = {name.partition(".")[0] for name in evidence.stated_names} & {*part_names.values()}
+
+    def lacking(bench: Ports) -> int:
+        parts = [part_names[name] for name in bench.parts]
+        return len(
+            owners - {*parts, *([] if parts else (c.name for c in tree.components(bench.name)))}
+        )
+
+    least = min(map(lacking, candidates), default=0) if owners else 0
+    return [bench for bench in candidates if not owners or lacking(bench) == least]
 
 
 def _is_shut(bench: Ports, tree: ClassTree) -> bool:

@@ -76,7 +76,21 @@ def rating_of(text: str) -> Rating:
     return {**match.groupdict(default=""), "text": text}
 
 
-def ratings(text: str, bench: Bench) -> tuple[dict[str, Scale], dict[str, str]]:
+def opening_unit(text: str) -> str:
+    """The unit of what opens the valves by their data sheets; "" where they state none.
+
+    Raises:
+        InputError: they are written otherwise.
+    """
+    found = map(rating_of, filter(str.strip, text.split(";")))
+    return next((unit for rating in found if (unit := _unit_at(rating))), "")
+
+
+def _unit_at(rating: Rating) -> str:
+    return rating["at"].lstrip("0123456789. ")
+
+
+def ratings(text: str, bench: Bench) -> tuple[dict[str, Scale], dict[str, float]]:
     """What data sheets state of valves: scales of the inputs that open them, and values of parameters by name.
 
     Sentences are separated by semicolons, each of one valve ("u_in=0.8 mm2 at 250 mA") or of both. An area is
@@ -85,7 +99,7 @@ def ratings(text: str, bench: Bench) -> tuple[dict[str, Scale], dict[str, str]]:
     Raises:
         InputError: it is written otherwise, the bench has no such valve, or a unit does not fit.
     """
-    scales, values = dict[str, Scale](), dict[str, str]()
+    scales, values = dict[str, Scale](), dict[str, float]()
     for rating in map(rating_of, filter(str.strip, text.split(";"))):
         inputs = {
             n: v for n, v in bench.interface.inputs.items() if bench.meanings[n].roles & VALVES
@@ -107,10 +121,10 @@ def ratings(text: str, bench: Bench) -> tuple[dict[str, Scale], dict[str, str]]:
 
 def _calibration(
     rating: Rating, inputs: Mapping[str, Variable], bench: Bench
-) -> tuple[str, Scale | str]:
+) -> tuple[str, Scale | float]:
     """The parameter that calibrates the valves, and the scale of their inputs, or its value where there is none."""
     for last, unit, input_unit, slope, begin in bench.headings.vocabulary.data_sheets:
-        unit_at = rating["at"].lstrip("0123456789. ")
+        unit_at = _unit_at(rating)
         name = next((n for n in bench.interface.parameters if n.rpartition(".")[2] == last), None)
         if name is None or not inputs or {v.unit for v in inputs.values()} != {input_unit}:
             continue
@@ -118,7 +132,7 @@ def _calibration(
             size = _size(rating, unit, bench.headings)
             per_input = parse_quantity(slope, f"{unit}/({input_unit})" if begin else unit)
             if not begin:
-                return name, f"{size / per_input / (_number(rating['at'], '1') or 1.0):.6g}"
+                return name, size / per_input / (_number(rating["at"], "1") or 1.0)
             full, less = _number(rating["at"], unit_at), _number(rating["begin"], unit_at)
             if full <= less:
                 raise InputError(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from textwrap import wrap
 
@@ -28,7 +28,7 @@ class Draft:
         sigmas: by signals that count; ``shown`` are compared only.
         follows: parameters that no file and no user states, with their value and why.
         run_values: by recording, values of parameters and inputs that hold in this recording alone.
-        open: which parameters a fit may determine.
+        open: which parameters a fit may determine. rated: of these, those about whose size a data sheet says something.
         interpolation: of the inputs of all recordings.
         points: of tables of points at rest.
         valve: what the user states of data sheets of valves; "": nothing.
@@ -48,6 +48,13 @@ class Draft:
     interpolation: str = "linear"
     points: PointsDraft | None = None
     valve: str = ""
+    rated: Collection[str] = ()
+
+    @property
+    def free(self) -> dict[str, Variable]:
+        """What a fit moves, with its bounds: no data sheet states what a jet leaves of an area."""
+        free = self.open.free.items()
+        return {n: v for n, v in free if n in self.rated or not self.is_known(n)}
 
     @property
     def interface(self) -> Interface:
@@ -253,15 +260,11 @@ def _commented(name: str, variable: Variable) -> str:
 
 
 def _fit(draft: Draft) -> Iterator[str]:
-    determined = {
-        *draft.evidence.stated,
-        *draft.follows,
-        *(n for run in draft.run_values for n in run),
+    free, of_runs = draft.free, {n for run in draft.run_values for n in run}
+    free = {n: v for n, v in free.items() if n not in of_runs}
+    more = {
+        n: v for n, v in draft.open.perhaps.items() if n not in of_runs and not draft.is_known(n)
     }
-    free, more = (
-        {n: v for n, v in variables.items() if n not in determined}
-        for variables in (draft.open.free, draft.open.perhaps)
-    )
     if not free and not more:
         return
     yield "[fit]"

@@ -110,10 +110,15 @@ def _among(word: str, listed: str) -> bool:
 
 
 class Headings:
-    """Reads headings and descriptions by a vocabulary."""
+    """Reads headings and descriptions by a vocabulary.
 
-    def __init__(self, vocabulary: Vocabulary) -> None:
-        self.vocabulary = vocabulary
+    Args:
+        vocabulary: of the library.
+        opening: unit of what opens the valves, by their data sheet; "": not stated.
+    """
+
+    def __init__(self, vocabulary: Vocabulary, opening: str = "") -> None:
+        self.vocabulary, self._opening = vocabulary, opening
         self.units = {kind: unit for kind, unit, _, _ in reversed(vocabulary.kinds)}
         self.kinds_of = lru_cache(maxsize=4096)(self._kinds_of)
         self.meaning_of = lru_cache(maxsize=4096)(self._meaning_of)
@@ -304,6 +309,8 @@ class Headings:
         kind = self._kind_with_unit(named, unit, exact) if unit else by_words
         if kind in ("", "time", "count", "direction"):
             return Meaning(kind)
+        if kind == "voltage" and self._opening and alike(unit, self._opening):
+            kind = "current"  # a card's volts open a valve as its amperes do
         return Meaning(
             kind, frozenset(roles & VALVES if kind in ("command", "current") else roles - VALVES)
         )

@@ -16,7 +16,7 @@ import numpy as np
 from pam_cosim.catalogue import vocabulary_of
 from pam_cosim.compiler import ClassTree
 from pam_cosim.drafting.benches import Bench, class_name, stated_interface, take_bench
-from pam_cosim.drafting.data_sheets import ratings
+from pam_cosim.drafting.data_sheets import opening_unit, ratings
 from pam_cosim.drafting.document import Draft, document
 from pam_cosim.drafting.entries import Mapped, map_columns, with_directions
 from pam_cosim.drafting.evidence import DraftRequests, gather
@@ -48,6 +48,7 @@ from pam_cosim.drafting.values import (
     values_of_runs,
     with_full_names,
     with_length,
+    with_rated,
 )
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.files import is_vacant
@@ -97,7 +98,8 @@ def draft(
         if model is not None and is_file(model):
             model = str(place / _copies([Path(model)], place)[0])
         interface = stated_interface(model, tree, describe)
-        headings = Headings(vocabulary_of(tree, model if interface else None))
+        opening = opening_unit(requests.valve or "")
+        headings = Headings(vocabulary_of(tree, model if interface else None), opening)
         names = {*interface.inputs, *interface.outputs} if interface else set[str]()
         evidence = gather(files, requests, headings, names)
         if evidence.points:
@@ -148,7 +150,8 @@ class UnsimulatedDraft(InputError):
 def _draft(requests: DraftRequests, folder: Path, bench: Bench, copies: Sequence[str]) -> Draft:
     """The content of ``experiment.toml``."""
     interface, evidence = bench.interface, bench.evidence
-    valves, values = ratings(requests.valve or "", bench)
+    valves, areas = ratings(requests.valve or "", bench)
+    values = {name: f"{area:.6g}" for name, area in areas.items()}
     plain = "the muscle is not named: its fibres have no friction and cover nothing, unless an effect is added"
     follows: dict[str, tuple[str, str]] = {}
     for found, why in (
@@ -180,11 +183,12 @@ def _draft(requests: DraftRequests, folder: Path, bench: Bench, copies: Sequence
         shown=slow if fitted else [],
         follows=follows,
         run_values=values_by_run,
-        open=open_parameters(bench, "temperature" in outputs.values()),
+        open=with_rated(open_parameters(bench, "temperature" in outputs.values()), areas),
         roles=stated_roles(guessed, evidence.sources, requests.roles or {}),
         interpolation=interpolation_of(bench),
         points=points_draft(mapped.runs, bench, by_run) if evidence.points else None,
         valve=requests.valve or "",
+        rated=areas,
     )
 
 

@@ -231,11 +231,7 @@ def _what_drives_it(draft: Draft) -> Iterator[str]:
 
 def _valve_data(draft: Draft) -> Iterator[str]:
     """Calibrations of valves, which a data sheet states."""
-    names = [
-        n
-        for n in draft.open.free
-        if not draft.is_known(n) and "area" in draft.open.free[n].description
-    ]
+    names = [n for n, v in draft.free.items() if "area" in v.description]
     if names and not draft.valve:
         yield (
             f"flow area of the valves: {listed(names)} is free; where a data sheet states the area or the nominal flow "
@@ -437,7 +433,7 @@ def _runs(draft: Draft) -> Iterator[str]:
 
 
 def _free(draft: Draft) -> Iterator[str]:
-    free = [name for name in draft.open.free if not draft.is_known(name)]
+    free = list(draft.free)
     if free:
         yield f"free for the fit, since they are not calibrated: {listed(free)}"
     elif draft.open.perhaps:

@@ -19,6 +19,10 @@ from pam_cosim.wording import has_parts, listed
 
 _NOMINAL_TOLERANCE = 0.05  # of the nominal length: a longest length as near to it is that at rest
 _DATA_SHEET_TOLERANCE = 0.3  # of its value: bounds of a parameter of the fibres in a fit
+_OF_A_RATING = (
+    0.5,
+    1.3,
+)  # a jet fills at least half of an area; a flow that is stated lies within a third
 # What a rule, scales, a thermometer, a gauge or the maker's drawing shows is stated, not fitted.
 _MEASURED = ("m", "m2", "m3", "kg", "kg.m2", "K", "Pa", "N")
 _GEOMETRY = ("m", "m2", "m3", "kg", "kg.m2", "1", "")
@@ -296,6 +300,17 @@ def open_parameters(bench: Bench, is_warm: bool) -> OpenParameters:
     warm = {} if is_warm else {n: v for n, v in free.items() if "K" in v.unit.replace("kg", "")}
     free = {n: v for n, v in free.items() if n not in warm}
     return OpenParameters(free, {**perhaps, **warm}, measurable)
+
+
+def with_rated(opened: OpenParameters, sizes: Mapping[str, float]) -> OpenParameters:
+    """With parameters free about the sizes that a data sheet states of them [SI]."""
+    low, high = _OF_A_RATING
+    rated = {
+        n: replace(v, min=low * sizes[n], max=high * sizes[n])
+        for n, v in opened.free.items()
+        if n in sizes
+    }
+    return replace(opened, free={**opened.free, **rated})
 
 
 def is_geometry(variable: Variable) -> bool:
