@@ -25,7 +25,7 @@ class Draft:
         bench, mapped: the bench with what was recorded, and the recordings under its names.
         files: names of the copies, one for each recording.
         ignored: names of columns that are not read, and why.
-        sigmas: by signals that count; ``shown`` are compared only.
+        sigmas: by signals.
         follows: parameters that no file and no user states, with their value and why.
         run_values: by recording, values of parameters and inputs that hold in this recording alone.
         open: which parameters a fit may determine. rated: of these, those about whose size a data sheet says something.
@@ -40,7 +40,6 @@ class Draft:
     files: Sequence[str]
     ignored: Mapping[str, str]
     sigmas: Mapping[str, Sigma]
-    shown: Sequence[str]
     follows: Mapping[str, tuple[str, str]]
     run_values: Sequence[Mapping[str, StatedValue]]
     open: OpenParameters
@@ -220,10 +219,6 @@ def _signals(draft: Draft) -> Iterator[str]:
             continue
         yield from _guessed("sigma", f"it is {sigma.why}")
         yield f"sigma = {_quantity(sigma.value, draft.interface.outputs[name].unit, 3)}"
-    for name in draft.shown:
-        yield from remark(
-            f"{name} is compared and not fitted; a table [signals.{name}] would change that"
-        )
 
 
 def _parameters(draft: Draft) -> Iterator[str]:

@@ -168,19 +168,13 @@ def _draft(requests: DraftRequests, folder: Path, bench: Bench, copies: Sequence
     by_run = any(role.role == "holdout" for role in guessed) or bool(requests.roles)
     measured = {*bench.choice.outputs, *evidence.formulas}
     outputs = {n: bench.meanings[n].kind for n in interface.outputs if n in measured}
-    # A thermometer lags behind the gas of a muscle: it is compared, and nothing is fitted to it.
-    kinds = {*outputs.values(), *(c.kind for c in bench.choice.inputs.values())}
-    moves = not kinds.isdisjoint(MECHANICAL)
-    slow = [name for name, kind in outputs.items() if kind == "temperature" and moves]
-    fitted = [name for name in outputs if name not in slow]
     return Draft(
         title=requests.title or folder.resolve().name,
         bench=bench,
         mapped=mapped,
         files=copies,
         ignored=_ignored(bench),
-        sigmas={name: sigma_of(name, bench, mapped.runs) for name in fitted},
-        shown=slow if fitted else [],
+        sigmas={name: sigma_of(name, bench, mapped.runs) for name in outputs},
         follows=follows,
         run_values=values_by_run,
         open=with_rated(open_parameters(bench, "temperature" in outputs.values()), areas),
