@@ -107,7 +107,8 @@ def draft(
         requests = replace(requests, model=model)
         bench = take_bench(place, class_name(folder), requests, interface, evidence, tree, describe)
         bench = with_length(with_full_names(bench))
-        copy_of = dict(zip(files, _copies(files, place), strict=True))
+        recordings = list(dict.fromkeys(evidence.files))
+        copy_of = dict(zip(recordings, _copies(recordings, place), strict=True))
         copy_of |= {
             s.file: _anew(s, copy_of[s.file], place) for s in evidence.sources if s.is_merged
         }

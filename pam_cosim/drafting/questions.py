@@ -277,7 +277,8 @@ def _rows_at_rest(draft: Draft) -> Iterator[str]:
 
 def _clocks(draft: Draft) -> Iterator[str]:
     """Files of several clocks, and how long a recording lasts by a guessed unit of time."""
-    merged = [s.file.name for s in draft.evidence.sources if s.is_merged]
+    sources = [s for s in draft.evidence.sources if s.is_merged]
+    merged = [" with ".join(f.name for f in (s.file, *s.loggers)) for s in sources]
     if merged:
         yield (
             f"{listed(merged)}: several clocks, of one zero as it is taken; every time of any has a row of its own in "

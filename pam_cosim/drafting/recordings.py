@@ -58,6 +58,7 @@ class Source:
         words: of the columns whose cells are words for directions: the words by heading. Their numbers in the table are
             places in that list.
         remarks: lines above the rows, and numbers of a file that are no columns, as texts.
+        loggers: files of other loggers, whose columns it has too.
         is_merged: its rows are not those of the file, which has several clocks: it is written again.
     """
 
@@ -69,6 +70,7 @@ class Source:
     clocks: tuple[str, ...] = ()
     part: Part | None = None
     remarks: tuple[str, ...] = ()
+    loggers: tuple[Path, ...] = ()
     is_merged: bool = False
 
     @property
@@ -141,7 +143,60 @@ def read_sources(files: Sequence[Path], stated: RecordingTable, headings: Headin
     with _options_in_messages():
         texts = [text_columns(file, layout) if is_text(file) else {} for file in files]
         words = _directions(texts, headings)
-        return [_source(f, layout, t, words, headings) for f, t in zip(files, texts, strict=True)]
+        pairs = zip(files, texts, strict=True)
+        return with_loggers([_source(f, layout, t, words, headings) for f, t in pairs], headings)
+
+
+def with_loggers(sources: list[Source], headings: Headings) -> list[Source]:
+    """The recordings, of which files of several loggers are one for each run.
+
+    Their names have the same numbers, and but for the time they have no column of each other: ``daq-01`` and
+    ``camera-01``.
+    """
+    loggers: dict[str, dict[str, Source]] = {}
+    for source in sources:
+        runs = loggers.setdefault(re.sub(r"\d+", "#", source.file.stem), {})
+        runs["-".join(re.findall(r"\d+", source.file.stem))] = source
+    first, *others = loggers.values()
+    heads = [
+        {
+            n
+            for s in runs.values()
+            for n, c in s.table.columns.items()
+            if not headings.says_time(n, c.unit)
+        }
+        for runs in loggers.values()
+    ]
+    apart = sum(map(len, heads)) == len(set().union(*heads))
+    if (
+        not others
+        or "" in first
+        or not apart
+        or any(runs.keys() != first.keys() for runs in others)
+    ):
+        return sources
+    return [_beside(source, [runs[run] for runs in others]) for run, source in first.items()]
+
+
+def _beside(first: Source, others: Sequence[Source]) -> Source:
+    """A recording with the columns of other loggers, each behind its clock."""
+    columns, rows = dict(first.table.columns), max(source.count for source in (first, *others))
+    for source in others:
+        logger = " ".join(re.findall(r"[^\W\d_]+", source.file.stem))
+        for name, column in source.table.columns.items():
+            called = f"{logger} {name}" if name in columns else name
+            columns[called] = replace(column, name=called, heading=called, place=len(columns))
+    for name, column in columns.items():
+        values = np.append(column.values, np.full(rows - len(column.values), np.nan))
+        columns[name] = replace(column, values=values)
+    return replace(
+        first,
+        table=replace(first.table, columns=columns, lines=None),
+        texts=tuple(text for source in (first, *others) for text in source.texts),
+        remarks=tuple(remark for source in (first, *others) for remark in source.remarks),
+        loggers=tuple(source.file for source in others),
+        is_merged=True,
+    )
 
 
 def _directions(

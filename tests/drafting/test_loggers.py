@@ -378,3 +378,43 @@ def test_a_unit_that_is_no_time_makes_no_clock(tmp_path: Path) -> None:
     file = write(tmp_path / "a.csv", heading, lambda k: [k, 0.1, READ[k], LENGTH[k]])
     with pytest.raises(InputError, match="no column of time among sweep"):
         pam.new(tmp_path / "rig", [file])
+
+
+def test_files_of_two_loggers_are_one_recording_each(tmp_path: Path) -> None:
+    files = []
+    for run in ("01", "02"):
+        files.append(
+            write(
+                tmp_path / f"daq-{run}.csv",
+                "t [s],p_set [bar],p [bar]",
+                lambda k: [f"{TIME[k]:.2f}", SET_POINT[k], f"{READ[k]:.4f}"],
+            )
+        )
+    for run in ("01", "02"):
+        file = tmp_path / f"camera-{run}.csv"
+        rows = [f"{0.033 * k:.3f},{np.interp(0.033 * k, TIME, LENGTH):.3f}" for k in range(151)]
+        file.write_text("\n".join(["t [s],marker x [mm]", *rows]) + "\n")
+        files.append(file)
+    made = pam.new(tmp_path / "rig", files)
+    assert [run.name for run in made.data.runs] == ["daq-01", "daq-02"]
+    assert {file.name for file in made.folder.glob("*.csv")} == {"daq-01.csv", "daq-02.csv"}
+    assert any("daq-01.csv with camera-01.csv" in line for line in made.to_check)
+    run = made.data.runs[0]
+    read = np.isfinite(run.measurements["x"])
+    assert read.sum() == 151
+    np.testing.assert_allclose(
+        1e3 * run.measurements["x"][read], np.interp(run.time[read], TIME, LENGTH), atol=1e-3
+    )
+    assert np.isfinite(run.measurements["p"]).sum() >= COUNT - 1
+
+
+def test_files_with_the_same_quantities_stay_recordings_of_their_own(tmp_path: Path) -> None:
+    files = [
+        write(
+            tmp_path / f"{name}-1.csv",
+            "t [s],p_set [bar],p [bar],x [mm]",
+            lambda k: [f"{TIME[k]:.2f}", SET_POINT[k], f"{READ[k]:.4f}", f"{LENGTH[k]:.3f}"],
+        )
+        for name in ("slow", "quick")
+    ]
+    assert len(pam.new(tmp_path / "rig", files).data.runs) == 2
