@@ -402,6 +402,19 @@ def _is_part(target: Path, package: Path) -> bool:
     return named and target.exists() and target.is_relative_to(package)
 
 
+def is_vacant(folder: Path) -> bool:
+    """Whether a new folder can be made there: nothing exists, or an empty folder.
+
+    Raises:
+        InputError: the folder cannot be read.
+    """
+    try:
+        return not folder.exists() or (folder.is_dir() and not any(folder.iterdir()))
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise InputError(f"the folder cannot be read: {reason}", shown(folder)) from None
+
+
 def make_folder(folder: Path) -> None:
     """Creates a folder with its parents.
 

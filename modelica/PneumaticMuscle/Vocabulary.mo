@@ -50,6 +50,17 @@ record Vocabulary "Words of the field for recorded quantities, their usual units
     {"temperature", "200 degC, K"},
     {"current", "2 A, mA"}}
     "Unit of numbers without one, by their largest magnitude in this unit";
+  constant String spellings[:, 2] = {
+    {"bar", "bar"}, {"kPa", "kpa"}, {"hPa", "hpa"}, {"Pa", "pa"}, {"psi", "psi"}, {"MPa", "mpa"}, {"mbar", "mbar"},
+    {"torr", "torr"}, {"kgf/cm2", "kgf/cm2, kg/cm2, kg/cm^2, kp/cm2"},
+    {"lbf/in2", "lb/in2, lbs/in2, lb/in^2, lbs/in^2"}, {"ms", "msec"},
+    {"s", "sec, sek, sek., secs, seconds, sekunden, secondes"}, {"N", "newton, n"}, {"kN", "kn"}, {"kg", "kg"},
+    {"degC", "celsius, c, degc, grad c, deg c"}, {"degF", "fahrenheit, f, degf, grad f, deg f"}, {"K", "kelvin"},
+    {"A", "ampere, amp, a"}, {"mA", "ma"}, {"V", "volt, volts, v"}, {"mm", "mm, millimeter"}, {"cm", "cm"},
+    {"deg", "grad"}, {"inch", "inch, in., zoll, \", ''"}, {"%", "prozent, percent, pct"}}
+    "A unit, and its spellings in small letters";
+  constant String counts[:] = {"count", "counts", "bit", "bits", "digit", "digits", "lsb", "px", "pix", "pixel",
+    "pixels", "mv/v"} "Units of a converter, a camera or a bridge, whose size only the laboratory knows";
   constant String sure[:, 2] = {
     {"pressure", "*druck pressure pression"},
     {"force", "*kraft force loadcell"},
@@ -74,6 +85,12 @@ record Vocabulary "Words of the field for recorded quantities, their usual units
   constant String uncertain[:] = {"coefficient of friction", "damping", "friction"}
     "Further parameters that may be free";
   constant String chosen[:] = {"filter"} "Parameters that are chosen and neither stated nor fitted";
+  constant String walls[:] = {"loss of the wall", "wall bends open", "threshold pressure"}
+    "Parameters of what the wall of a muscle takes of its pull, where no rule reaches";
+  constant String fibres[:] = {"fibres lie", "fibres and axis"} "Parameters of where the fibres of a wall lie";
+  constant String measures[:, 2] = {{"L0", "along"}, {"D0", "around"}, {"turns", "around"}, {"b", "along"},
+    {"alpha_0", "along"}}
+    "Measures of a sleeve, its length first: three determine it, one of them around it";
   constant String neutral[:, 2] = {{"mu_fb", "0"}, {"mu_d", "0"}, {"fibres", "1"}}
     "Values of an unnamed muscle: fibres without friction that cover nothing. Friction is looked for then";
   annotation (Documentation(info="<html>

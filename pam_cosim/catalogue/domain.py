@@ -128,6 +128,8 @@ _ROWS = {
     "kinds": 4,
     "roles": 3,
     "units": 2,
+    "spellings": 2,
+    "counts": 0,
     "sure": 2,
     "data_sheets": 5,
     "nominal": 3,
@@ -135,6 +137,9 @@ _ROWS = {
     "calibrated": 0,
     "uncertain": 0,
     "chosen": 0,
+    "walls": 0,
+    "fibres": 0,
+    "measures": 2,
     "neutral": 2,
 }
 _FORMS = {

@@ -143,7 +143,7 @@ def _explains_little(runs: Sequence[RunComparison], signals: Mapping[str, Signal
 def _unexplained(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> float:
     """The share of the variance of the readings that the model leaves, of whatever size its motion is.
 
-    Nobody may have calibrated the valves: the model's motion from its start is scaled as fits best within ``_SIZES``.
+    The valves may be uncalibrated: the motion of the model is scaled for the best fit within ``_SIZES``.
     """
     shares = [0.0]
     for name in signals:

@@ -6,17 +6,29 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import cached_property
+from math import inf
 from pathlib import Path
 
 import numpy as np
 
-from pam_cosim.catalogue.bench_parts import rig_parts
+from pam_cosim.catalogue.bench_parts import BenchPart, rig_parts
 from pam_cosim.catalogue.composed_bench import compose_bench
 from pam_cosim.catalogue.ports import Ports, ports
 from pam_cosim.compiler import ClassTree
 from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn
 from pam_cosim.drafting.evidence import DraftRequests, Evidence, used_in
-from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, Headings, Meaning, alike, muscle_in
+from pam_cosim.drafting.headings import (
+    LENGTHS,
+    MECHANICAL,
+    PRESSURE,
+    SET_PRESSURE,
+    Headings,
+    Meaning,
+    alike,
+    muscle_in,
+)
+from pam_cosim.drafting.recordings import Source
 from pam_cosim.drafting.shapes import LEAST_CORRELATION, correlation, span
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
@@ -42,9 +54,8 @@ class BenchChoice:
         unfed: inputs that no column feeds.
         alternatives: names of benches that fit as well.
         freer: a bench that reads the lengths that this one imposes; "": there is none, or it imposes none that move.
-        cost: the lower, the better it fits.
-        roundabout: how far columns are from what is requested, as a length is from a contraction.
-        unread: how many of its outputs are not read.
+        order: the lower, the better it fits: what speaks against it, the rank of the bench, how far columns are from
+            what is requested, as a length is from a contraction, and how many of its outputs are not read.
         measured: something is measured; ``driven``: and what drives the runs was recorded.
     """
 
@@ -54,9 +65,7 @@ class BenchChoice:
     unfed: tuple[str, ...]
     alternatives: tuple[str, ...] = ()
     freer: str = ""
-    cost: float = 0.0
-    roundabout: float = 0.0
-    unread: int = 0
+    order: tuple[float, ...] = ()
     measured: bool = True
     driven: bool = True
 
@@ -74,7 +83,7 @@ class BenchChoice:
 
 @dataclass(frozen=True)
 class Bench:
-    """A bench and what feeds it.
+    """A bench, what was recorded of the rig, and what feeds it.
 
     Attributes:
         name: as ``experiment.toml`` has it.
@@ -86,10 +95,37 @@ class Bench:
     choice: BenchChoice
     name: str
     interface: Interface
-    why: str
+    evidence: Evidence
+    why: str = ""
     muscle: str = ""
     length: str = ""
     composed: bool = False
+
+    @property
+    def headings(self) -> Headings:
+        """By which inputs and outputs are read."""
+        return self.evidence.headings
+
+    @property
+    def signals(self) -> dict[str, Variable]:
+        """Inputs and outputs."""
+        return {**self.interface.inputs, **self.interface.outputs}
+
+    @cached_property
+    def meanings(self) -> dict[str, Meaning]:
+        """What the inputs and outputs are."""
+        return self.headings.meanings(self.signals)
+
+    @property
+    def settable(self) -> dict[str, Variable]:
+        """Parameters, and inputs whose values can be stated."""
+        return {**self.interface.parameters, **self.interface.inputs}
+
+    @cached_property
+    def used(self) -> set[str]:
+        """The columns that are read, also in a formula."""
+        times = [self.evidence.time] if self.evidence.time is not None else []
+        return {c.name for c in (*self.choice.fed.values(), *times)} | used_in(self.evidence)
 
 
 def stated_interface(
@@ -131,23 +167,19 @@ def take_bench(
         fixed = Ports(interface.model, interface.inputs, interface.outputs)
         choice = _choose([fixed], evidence, is_stated=True)
         copied = Path(str(requests.model)).name if is_file(str(requests.model)) else interface.model
-        return Bench(choice, copied, interface, "")
-    muscles = [part.name for part in rig_parts(tree) if part.role == "muscle"]
-    texts = (
-        [requests.muscle] if requests.muscle else [_label(source) for source in evidence.sources]
-    )
-    named_muscle, length = (
-        ("", "") if requests.model and not requests.muscle else muscle_in(texts, muscles)
-    )
+        return Bench(choice, copied, interface, evidence)
+    muscles = _muscles(tree)
+    texts = [] if requests.model else [_label(source) for source in evidence.sources]
+    if requests.muscle:
+        texts = [requests.muscle]
+    named_muscle, length = muscle_in(texts, [part.name for part in muscles])
     muscle = named_muscle or requests.muscle
-    needed = muscle or _part_with(evidence.stated, tree)
-    suited = (_suited(bench, evidence.points) for bench in ports(tree))
-    ready = [bench for bench in suited if bench is not None]
-    candidates = _candidates(_possible(ready, evidence, tree), requests.model, needed, evidence)
-    choice = _choose(candidates, evidence)
+    needed = muscle or _part_with(evidence.stated, muscles, tree)
+    candidates = _candidates(requests.model, needed, evidence, tree)
+    choice = _choose(_with_stated_parts(candidates, evidence, tree), evidence)
     why = "" if requests.model else _why(choice)
     if not choice.ports.parts:
-        return Bench(choice, choice.ports.name, describe(choice.ports.name), why)
+        return Bench(choice, choice.ports.name, describe(choice.ports.name), evidence, why)
     feed, hold = choice.ports.parts
     outputs = [n for n in choice.ports.outputs if n not in choice.ports.inputs]
     measure = [n for n in outputs if n in choice.outputs or n in evidence.formulas]
@@ -160,17 +192,20 @@ def take_bench(
         origin = f"{origin}, with the muscle {needed}, which has the parameters that are stated"
     why = f"{why}. {origin}" if why else origin
     composed = describe(str(place / f"{name}.mo"))
-    return Bench(choice, f"{name}.mo", composed, why, muscle or "", length, True)
+    return Bench(choice, f"{name}.mo", composed, evidence, why, muscle or "", length, True)
 
 
-def _part_with(stated: Iterable[str], tree: ClassTree) -> str | None:
+def _muscles(tree: ClassTree) -> list[BenchPart]:
+    return [part for part in rig_parts(tree) if part.role == "muscle"]
+
+
+def _part_with(stated: Iterable[str], muscles: Sequence[BenchPart], tree: ClassTree) -> str | None:
     """The muscle nearest to the usual one that has the stated parameters; None: the usual one, or none, has them."""
-    muscles = [part for part in rig_parts(tree) if part.role == "muscle"]
     usual = next((part for part in muscles if part.usual), None)
     if usual is None:
         return None
-    begin = f"{usual.component_name}."
-    wanted = {name.rpartition(".")[2] for name in stated if name.startswith(begin)}
+    owned = [name for name in stated if name.startswith(f"{usual.component_name}.")]
+    wanted = {name.rpartition(".")[2] for name in owned}
     able = [
         part
         for part in muscles
@@ -184,17 +219,13 @@ def _part_with(stated: Iterable[str], tree: ClassTree) -> str | None:
 def _parameters_of(name: str, tree: ClassTree) -> set[str]:
     """Parameters of a class and of its records, by their last names."""
     components = [c for c in tree.components(name) if "protected" not in c.prefixes]
-    within = (
-        c
-        for component in components
-        if component.type in tree.classes
-        for c in tree.components(component.type)
-    )
+    records = [c.type for c in components if c.type in tree.classes]
+    within = [c for record in records for c in tree.components(record)]
     return {c.name for c in (*components, *within)}
 
 
-def _label(source: object) -> str:
-    return " ".join([source.file.stem, *source.labels, *source.remarks])  # type: ignore[attr-defined]
+def _label(source: Source) -> str:
+    return " ".join([source.file.stem, *source.labels, *source.remarks])
 
 
 def class_name(folder: Path) -> str:
@@ -204,38 +235,54 @@ def class_name(folder: Path) -> str:
     return name if name.endswith(_SUFFIX) else f"{name}{_SUFFIX}"
 
 
-def _suited(bench: Ports, points: bool) -> Ports | None:
-    """A bench for such recordings: of points at rest it has a direction, of others it has none; None: not suited."""
-    if bench.parts and points:
-        branch = Variable(BRANCH, "1", "Direction of the branch")
-        return replace(bench, inputs={**bench.inputs, BRANCH: branch})
-    return bench if (BRANCH in bench.inputs) == points else None
-
-
 def _candidates(
-    ready: Sequence[Ports], model: str | None, muscle: str | None, evidence: Evidence
+    model: str | None, muscle: str | None, evidence: Evidence, tree: ClassTree
 ) -> list[Ports]:
-    """The benches among which the recordings choose; only one that is put together can have another muscle."""
+    """The benches among which the recordings choose; only one that is put together can have another muscle.
+
+    Benches of points at rest have a direction, others have none. Where a pressure falls to that outside, none is
+    chosen in which everything is shut.
+    """
+    points, parts = evidence.points, [bench for bench in ports(tree) if bench.parts]
+    if points:
+        branch = {BRANCH: Variable(BRANCH, "1", "Direction of the branch")}
+        parts = [replace(bench, inputs={**bench.inputs, **branch}) for bench in parts]
     if model is not None:
-        return [bench for bench in ready if bench.parts and bench.name == model]
-    chosen = [bench for bench in ready if bench.parts or muscle is None]
-    if not evidence.points:
-        return chosen
-    # A row has what acts on the muscle: a table contains no mass, spring or lever.
-    return [bench for bench in chosen if _mechanical(bench.inputs, evidence.headings)]
-
-
-def _possible(ready: Sequence[Ports], evidence: Evidence, tree: ClassTree) -> list[Ports]:
-    """The benches without those in which everything is shut, where a pressure falls to that outside."""
-    if not any(c.of("pressure") and _empties(c) for c in evidence.columns):
-        return list(ready)
-    return [
+        return [bench for bench in parts if bench.name == model]
+    empties = any(c.of("pressure") and _empties(c) for c in evidence.columns)
+    ready = [
         bench
-        for bench in ready
-        if bench.parts
-        or bench.inputs
-        or any(c.type.rpartition(".")[2] == "Atmosphere" for c in tree.components(bench.name))
+        for bench in ports(tree)
+        if not (bench.parts or muscle)
+        and (BRANCH in bench.inputs) == points
+        and not (empties and _is_shut(bench, tree))
     ]
+    # A row has what acts on the muscle: a table contains no mass, spring or lever.
+    chosen = [*ready, *parts]
+    return [b for b in chosen if not points or _mechanical(b.inputs, evidence.headings)]
+
+
+def _with_stated_parts(
+    candidates: Sequence[Ports], evidence: Evidence, tree: ClassTree
+) -> list[Ports]:
+    """The benches that lack fewest of the parts of which the user states a parameter, as the spring of ``spring.k``."""
+    part_names = {p.qualified_name: p.component_name for p in rig_parts(tree) if p.role != "muscle"}
+    owners = {name.partition(".")[0] for name in evidence.stated_names} & {*part_names.values()}
+
+    def lacking(bench: Ports) -> int:
+        parts = [part_names[name] for name in bench.parts]
+        return len(
+            owners - {*parts, *([] if parts else (c.name for c in tree.components(bench.name)))}
+        )
+
+    least = min(map(lacking, candidates), default=0) if owners else 0
+    return [bench for bench in candidates if not owners or lacking(bench) == least]
+
+
+def _is_shut(bench: Ports, tree: ClassTree) -> bool:
+    """Whether a bench lets no air out."""
+    types = {c.type.rpartition(".")[2] for c in tree.components(bench.name)}
+    return not bench.inputs and "Atmosphere" not in types
 
 
 def _empties(column: RecordedColumn) -> bool:
@@ -252,11 +299,9 @@ def _empties(column: RecordedColumn) -> bool:
 def _why(choice: BenchChoice) -> str:
     fed = listed(f"{name} = {column.name}" for name, column in choice.fed.items())
     why = f"guessed: the bench, because its inputs and outputs were recorded: {fed}"
-    return (
-        f"{why}. Other benches fit as well: {listed(choice.alternatives)}"
-        if choice.alternatives
-        else why
-    )
+    if not choice.alternatives:
+        return why
+    return f"{why}. Other benches fit as well: {listed(choice.alternatives)}"
 
 
 # ---- which bench the recordings can feed, and by which column each of its inputs and outputs -------------------------
@@ -271,13 +316,12 @@ def _choose(
         InputError: no bench has the names that the user states, or none can be fed.
     """
     choices = [_fed(bench, evidence, is_stated) for bench in _having(candidates, evidence)]
-    order = sorted(choices, key=lambda c: (c.cost, c.ports.rank, c.roundabout, c.unread))
-    best = order[0]
+    best, *others = sorted(choices, key=lambda c: c.order)
     if not (best.measured if is_stated else best.driven):
         raise InputError(_nothing_fits(best, evidence))
-    as_good = [c for c in order[1:] if c.cost <= best.cost]
+    as_good = [c for c in others if c.order[0] <= best.order[0]]
     moving = {column.name for column in best.moving_lengths.values()}
-    freer = [c for c in order[1:] if moving and _lets_go(c, best, moving)]
+    freer = [c for c in others if moving and _lets_go(c, best, moving)]
     alternatives = dict.fromkeys(c.ports.name for c in (*freer[:1], *as_good))
     inputs, outputs = (
         {n: _with_rivals(c, evidence, best, n) for n, c in side.items()}
@@ -293,7 +337,7 @@ def _lets_go(other: BenchChoice, best: BenchChoice, moving: set[str]) -> bool:
     """Whether a bench reads the lengths that the best one imposes although they move, and is fed as well."""
     is_fed = other.driven and len(other.unfed) <= len(best.unfed)
     read = {column.name for column in other.outputs.values()}
-    return is_fed and moving <= read and other.cost < best.cost + _BODILESS
+    return is_fed and moving <= read and other.order[0] < best.order[0] + _BODILESS
 
 
 def _having(candidates: Sequence[Ports], evidence: Evidence) -> list[Ports]:
@@ -303,63 +347,61 @@ def _having(candidates: Sequence[Ports], evidence: Evidence) -> list[Ports]:
         InputError: there is none.
     """
     named = [name for name in (*evidence.requested, *evidence.formulas) if name != "time"]
-    inputs = [
-        n
-        for n in dict.fromkeys([*evidence.stated, *(n for o in evidence.run_parameters for n in o)])
-        if "." not in n
-    ]
+    inputs = [name for name in evidence.stated_names if "." not in name]
     able = [bench for bench in candidates if {*named} <= {*bench.inputs, *bench.outputs}]
     fixed = [bench for bench in able if {*inputs} <= {*bench.inputs}]
     if fixed or (able and len(candidates) == 1):
         return fixed or able  # a model that the user states may have parameters without a dot
-    stated = [*named, *inputs]
-    variables = dict.fromkeys(
-        name for bench in candidates for name in (*bench.inputs, *bench.outputs)
-    )
-    unknown = [name for name in stated if name not in variables]
-    name = next(iter([*unknown, *stated]), "")
+    variables = dict.fromkeys(n for bench in candidates for n in (*bench.inputs, *bench.outputs))
+    unknown = [name for name in (*named, *inputs) if name not in variables]
+    name = [*unknown, *named, *inputs, ""][0]
     beside = "" if unknown or not able else f" together with {listed(named)}"
-    raise InputError(
-        f"no bench has an input or output {shown(name)}{beside}; {did_you_mean(name, variables)}"
-    )
+    hint = did_you_mean(name, variables)
+    raise InputError(f"no bench has an input or output {shown(name)}{beside}; {hint}")
 
 
 def _fed(bench: Ports, evidence: Evidence, is_stated: bool) -> BenchChoice:
     """A bench with the columns that feed it best, and what that costs."""
-    headings, runs = evidence.headings, len(evidence.sources)
+    headings = evidence.headings
     reserved = used_in(evidence)  # by formulas of the user
     signals = [c for c in evidence.signals if c.name not in reserved]
+    runs = len(evidence.sources)
     complete = [c for c in signals if len(c.values) == runs and c.is_complete]
     inputs, far_inputs = _assign(bench.inputs, complete, evidence)
     readable = _readable(bench, headings)
     remaining = [c for c in signals if c not in inputs.values()]
     outputs, far_outputs = _assign(readable, remaining, evidence)
-    used = [*inputs.values(), *outputs.values()]
-    stated = {*evidence.stated}.union(*evidence.run_parameters)
-    fed = {*inputs, *evidence.formulas, *(stated & bench.inputs.keys())}
+    used = [*outputs.values(), *inputs.values()]
+    fed = {*inputs, *evidence.formulas, *evidence.stated_names}
     unfed = tuple(name for name in bench.inputs if name not in fed and name != BRANCH)
     measured = {*outputs, *evidence.formulas} & readable.keys()
     passing = headings.with_trait("unused")
     unused = [c for c in signals if c not in used and c.kind not in passing]
-    driving = [n for n, v in bench.inputs.items() if _drives(headings.variable(v))]
+    # What a run is about: all but what a supply happens to hold, and a direction.
+    driving = [
+        name
+        for name, meaning in headings.meanings(bench.inputs).items()
+        if "supply" not in meaning.roles and meaning.kind != "direction"
+    ]
     # A bench without such inputs runs by itself: where more was recorded than it shows, something drove it.
-    driven = any(n in fed for n in driving) if driving else not unused
-    meanings = [c.meaning for c in used]
+    driven = not fed.isdisjoint(driving) if driving else not unused
     mechanical = _mechanical({**bench.inputs, **readable}, headings)
     bodiless = bool(mechanical) and not mechanical & {*fed, *measured}
-    cost = _UNUSED * len([c for c in unused if c.meaning not in meanings]) + _UNFED * len(unfed)
-    cost += _UNDRIVEN * ((not driven) + 2 * (not measured)) + _BODILESS * bodiless
-    cost += _UNLIKELY * _unlikely(inputs, outputs)
-    cost -= _NAMED * sum(name == column.name for name, column in inputs.items())
-    cost += _ISOMETRIC * _must_be_fixed(bench, used, headings)
+    cost = (
+        _UNUSED * sum(c.meaning not in {u.meaning for u in used} for c in unused)
+        + _UNFED * len(unfed)
+        + _UNDRIVEN * ((not driven) + 2 * (not measured))
+        + _BODILESS * bodiless
+        + _UNLIKELY * _unlikely(inputs, outputs)
+        - _NAMED * sum(name == column.name for name, column in inputs.items())
+        + _ISOMETRIC * _must_be_fixed(bench, used, headings)
+    )
     return BenchChoice(
         bench,
         inputs,
         outputs,
         unfed,
-        cost=cost,
-        roundabout=far_inputs + far_outputs,
-        unread=len(readable.keys() - measured),
+        order=(cost, bench.rank, far_inputs + far_outputs, len(readable.keys() - measured)),
         measured=bool(measured),
         driven=driven and bool(measured),
     )
@@ -367,21 +409,13 @@ def _fed(bench: Ports, evidence: Evidence, is_stated: bool) -> BenchChoice:
 
 def _mechanical(variables: Mapping[str, Variable], headings: Headings) -> set[str]:
     """Those that are of a length or a force."""
-    kinds = {name: headings.variable(v) for name, v in variables.items()}
-    return {n for n, meaning in kinds.items() if meaning is not None and meaning.kind in MECHANICAL}
+    return {n for n, meaning in headings.meanings(variables).items() if meaning.kind in MECHANICAL}
 
 
 def _readable(bench: Ports, headings: Headings) -> dict[str, Variable]:
     """Outputs that a recording can contain: a composed bench does not measure the quantities that it imposes."""
-    if not bench.parts:
-        return dict(bench.outputs)
-    imposed = {headings.variable(variable) for variable in bench.inputs.values()}
+    imposed = {*headings.meanings(bench.inputs).values()} if bench.parts else ()
     return {n: v for n, v in bench.outputs.items() if headings.variable(v) not in imposed}
-
-
-def _drives(meaning: Meaning | None) -> bool:
-    """Whether an input is what a run is about: all but what a supply happens to hold, and a direction."""
-    return meaning is None or not ("supply" in meaning.roles or meaning.kind == "direction")
 
 
 def _assign(
@@ -391,14 +425,13 @@ def _assign(
     headings, by_name = evidence.headings, {c.name: c for c in evidence.columns}
     requested = {n: by_name[evidence.requested[n]] for n in variables if n in evidence.requested}
     taken = {n: _as_variable(column, variables[n], headings) for n, column in requested.items()}
-    reserved = set(evidence.requested.values())
+    remaining = [c for c in columns if c.name not in evidence.requested.values()]
     cost = 0.0
-    for name, variable in variables.items():
-        meaning = headings.variable(variable)
-        if name in taken or meaning is None or name in evidence.formulas:
+    for name, meaning in headings.meanings(variables).items():
+        if name in taken or name in evidence.formulas:
             continue
-        remaining = [c for c in columns if c not in taken.values() and c.name not in reserved]
-        distance, column = _nearest(name, meaning, remaining)
+        free = [c for c in remaining if c not in taken.values()]
+        distance, column = _nearest(name, meaning, free)
         if column is not None:
             taken[name], cost = column, cost + distance
     return taken, cost
@@ -406,21 +439,18 @@ def _assign(
 
 def _as_variable(column: RecordedColumn, variable: Variable, headings: Headings) -> RecordedColumn:
     """A column that the user assigns to a variable; a unit of another kind is never guessed."""
-    written = any(place.unit.strip() for place in column.places.values())
-    if written or column.unknown or (column.unit and not column.why):
+    if column.written_unit or column.unknown or (column.unit and not column.why):
         return column
     bare, meaning = replace(column, unit="", why=()), headings.variable(variable)
     if variable.unit in ("", "1") or column.words:
         return bare
     if column.unit and alike(column.unit, variable.unit):
         return column
-    usual = headings.usual_unit(str(meaning), column.largest) if meaning is not None else None
+    usual = headings.usual_unit(str(meaning), column.largest) if meaning else None
     if usual and alike(usual, variable.unit):
-        why = f"{NO_UNIT}; numbers up to {column.largest:.4g} are taken as {usual}"
-        return bare.because(why, unit=usual)
-    return bare.because(
-        f"{NO_UNIT}; it is taken as the model's, {variable.unit}", unit=variable.unit
-    )
+        return bare.taken_as(usual)
+    why = f"{NO_UNIT}; it is taken as the model's, {variable.unit}"
+    return bare.because(why, unit=variable.unit)
 
 
 def _nearest(
@@ -432,21 +462,16 @@ def _nearest(
     first.
     """
     distances = [(_distance(column.meaning, meaning), column) for column in columns]
-    least = min((distance for distance, _ in distances if distance is not None), default=None)
-    if least is None:
+    least = min((distance for distance, _ in distances), default=inf)
+    if least == inf:
         return 0.0, None
     rivals = [column for distance, column in distances if distance == least]
-    rank = [
-        (
-            rival.name != name,
-            not rival.moves,
-            -rival.known_share,
-            -_span_in(rivals[0].unit, rival),
-            i,
-        )
-        for i, rival in enumerate(rivals)
-    ]
-    return least, rivals[min(rank)[-1]]
+
+    def rank(rival: RecordedColumn) -> tuple[bool, bool, float, float]:
+        moved = _span_in(rivals[0].unit, rival)
+        return rival.name != name, not rival.moves, -rival.known_share, -moved
+
+    return least, min(rivals, key=rank)
 
 
 def _span_in(unit: str, column: RecordedColumn) -> float:
@@ -457,15 +482,14 @@ def _span_in(unit: str, column: RecordedColumn) -> float:
     return extent
 
 
-def _distance(column: Meaning | None, variable: Meaning) -> float | None:
-    """The distance of a column's meaning from a variable's; None: it cannot be that variable."""
-    if column is None or column.roles != variable.roles:
-        return None
+def _distance(column: Meaning, variable: Meaning) -> float:
+    """The distance of a column's meaning from a variable's; infinite: it cannot be that variable."""
+    if not column or column.roles != variable.roles:
+        return inf
     if column == variable:
         return 0.0
-    return (
-        {"length": 1.0, "ratio": 2.0}.get(column.kind) if variable.kind == "contraction" else None
-    )
+    contractions = {"length": 1.0, "ratio": 2.0} if variable.kind == "contraction" else {}
+    return contractions.get(column.kind, inf)
 
 
 def _unlikely(inputs: Mapping[str, RecordedColumn], outputs: Mapping[str, RecordedColumn]) -> float:
@@ -474,7 +498,7 @@ def _unlikely(inputs: Mapping[str, RecordedColumn], outputs: Mapping[str, Record
     A length that follows the pressure is one that the muscle moved.
     """
     used = [*outputs.values(), *inputs.values()]
-    pressure = next((c for c in used if c.of("pressure") or c.of("pressure", "set")), None)
+    pressure = next((c for c in used if c.meaning in (PRESSURE, SET_PRESSURE)), None)
     read = [c for c in outputs.values() if c.kind in MECHANICAL]
     imposed = [c for c in inputs.values() if c.kind in MECHANICAL]
     held = [c for c in read if _held(c, pressure)]
@@ -498,30 +522,27 @@ def _follows(column: RecordedColumn, pressure: RecordedColumn | None) -> bool:
 
 def _must_be_fixed(bench: Ports, used: Sequence[RecordedColumn], headings: Headings) -> bool:
     """Whether a pull changes and no length is recorded: the end of the muscle is fixed then."""
-    pulls = [c for c in used if c.of("force") and not c.held]
-    imposed = [headings.variable(variable) for variable in bench.inputs.values()]
-    kinds = {c.kind for c in used} | {meaning.kind for meaning in imposed if meaning}
-    return bool(pulls) and not kinds & set(LENGTHS)
+    imposed = headings.meanings(bench.inputs).values()
+    kinds = {c.kind for c in used} | {meaning.kind for meaning in imposed}
+    return kinds.isdisjoint(LENGTHS) and any(c.of("force") and not c.held for c in used)
 
 
 def _with_rivals(
     column: RecordedColumn, evidence: Evidence, best: BenchChoice, name: str
 ) -> RecordedColumn:
     """The column with a remark that other columns may be meant instead."""
-    taken = {c.name for c in best.fed.values()}
-    rivals = [
-        c.name for c in evidence.columns if c.meaning == column.meaning and c.name not in taken
-    ]
+    alike_ones = [c.name for c in evidence.columns if c.meaning == column.meaning]
+    rivals = [shown(n) for n in alike_ones if n not in {c.name for c in best.fed.values()}]
     if not rivals or name in evidence.requested:
         return column
     return column.because(
-        f"its name fits best or it varies most; {listed(map(shown, rivals))} may be meant instead"
+        f"its name fits best or it varies most; {listed(rivals)} may be meant instead"
     )
 
 
 def _nothing_fits(nearest: BenchChoice, evidence: Evidence) -> str:
     columns = [c for c in evidence.columns if not c.of("time")]
-    recognised = [f"{c.name} ({c.meaning})" for c in columns if c.meaning is not None]
+    recognised = [c for c in columns if c.meaning]
     example = _example(nearest, [c for c in columns if c.values], evidence)
     hint = f"state what columns are{example}, or the bench, --model NAME ('pam-cosim bench --list')"
     if not recognised:
@@ -530,13 +551,13 @@ def _nothing_fits(nearest: BenchChoice, evidence: Evidence) -> str:
         return f"no column is recognised among {listed(c.name for c in columns)}{because}; {hint}"
     lacks = f"the inputs {listed(nearest.unfed)}" if nearest.unfed else "a measured output"
     if nearest.measured and not nearest.unfed:
-        over = listed(
-            c.name
-            for c in columns
-            if c.meaning and c.name not in {f.name for f in nearest.fed.values()}
+        fed = {c.name for c in nearest.fed.values()}
+        over = [c.name for c in recognised if c.name not in fed]
+        ignored = [*over, "none"][0]
+        lacks = (
+            f"what {listed(over)} may have driven; leave that out, --recording 'ignore={ignored}'"
         )
-        lacks = f"what {over} may have driven; leave that out, --recording 'ignore={over.split(', ')[0]}'"
-    message = f"what is recognised, {listed(recognised)}, feeds no bench"
+    message = f"what is recognised, {listed(f'{c.name} ({c.meaning})' for c in recognised)}, feeds no bench"
     return f"{message}; the nearest, {nearest.ports.name}, lacks {lacks}; {hint}"
 
 
@@ -548,6 +569,6 @@ def _example(nearest: BenchChoice, filled: Sequence[RecordedColumn], evidence: E
         meaning = evidence.headings.variable(variables[name])
         for column in (c for c in filled if c.name not in taken):
             fits = not column.unit or alike(column.unit, variables[name].unit)
-            if column.meaning == meaning or (column.meaning is None and fits):
+            if column.meaning == meaning or (not column.meaning and fits):
                 return f", as --column {name}={shown(column.name)}"
     return ""

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import permutations
 
 import numpy as np
 
@@ -13,10 +14,11 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.headings import (
     AT_REST,
+    PRESSURE,
+    SET_PRESSURE,
+    UNKNOWN,
     Headings,
     Meaning,
-    is_count,
-    known_unit,
     meant,
 )
 from pam_cosim.drafting.recordings import Source
@@ -33,6 +35,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement.curves import levels
 from pam_cosim.measurement.recording import EMPTY_SHARE, filled_forward
 from pam_cosim.measurement.table import Column
+from pam_cosim.units import convert
 from pam_cosim.wording import shown
 
 # of the range of all runs: a column that moves less within a run is constant there
@@ -40,11 +43,11 @@ IMPOSED_RANGE = 0.2
 NO_UNIT = "no unit is written"
 UNNAMED = re.compile(r"column \d+|unnamed:.*", re.IGNORECASE)
 _SUPPLY_RANGE = 0.3  # of its mean, by which a supply pressure varies at most
-_LARGEST_COMMAND = 120.0  # [%]; more is in steps of a converter
 _LEAST_SIGNED = 0.3  # correlation of a command of two valves with the change of the pressure
 _MOST = 400  # columns; each is held against each
 _REFERABLE = re.compile(r"[^'\\\n]+")
 _NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
+_HALVES = (("inlet", 1, "+", "rises", "above"), ("exhaust", -1, "-", "falls", "below"))
 _SCALES = {"force": ("F", "0.1 N"), "pressure": ("p", "0.1 kPa"), "command": ("u_in", "0.004")}
 """By kind, how a column in counts may be scaled: a name and the size of a count."""
 
@@ -57,7 +60,6 @@ class RecordedColumn:
         unit: as the registry of units has it; stated in the file, or guessed.
         stated: the file states it so that it can be read.
         unknown: the unit that the file states, where it is unknown; else "".
-        meaning: None: unknown.
         why: what ``meaning`` and ``unit`` were guessed from, in sentences without a subject.
         known_share: share of its words that are known.
         values: numbers in its unit by the number of the recording.
@@ -71,7 +73,7 @@ class RecordedColumn:
     name: str
     unit: str
     stated: bool
-    meaning: Meaning | None
+    meaning: Meaning
     values: dict[int, Array]
     why: tuple[str, ...] = ()
     unknown: str = ""
@@ -87,13 +89,17 @@ class RecordedColumn:
     @property
     def kind(self) -> str:
         """Of its meaning; "" where that is unknown."""
-        return self.meaning.kind if self.meaning else ""
+        return self.meaning.kind
+
+    @property
+    def written_unit(self) -> str:
+        """As the files state it; "" where they state none."""
+        return next((text for c in self.places.values() if (text := c.unit.strip())), "")
 
     @property
     def readable(self) -> bool:
         """Whether a formula can contain the column: by its name, and by its unit in the files, if there is one."""
-        written = any(column.unit.strip() for column in self.places.values())
-        return bool(_REFERABLE.fullmatch(self.name)) and (self.stated or not written)
+        return bool(_REFERABLE.fullmatch(self.name)) and (self.stated or not self.written_unit)
 
     @property
     def term(self) -> str:
@@ -109,6 +115,10 @@ class RecordedColumn:
     def samples(self) -> Array:
         """All its numbers."""
         return np.concatenate([*self.values.values(), np.empty(0)])
+
+    def converted(self, unit: str) -> dict[int, Array]:
+        """Its numbers in another unit."""
+        return {i: convert(values, self.unit, unit) for i, values in self.values.items()}
 
     @cached_property
     def largest(self) -> float:
@@ -145,6 +155,12 @@ class RecordedColumn:
         """Whether it is of a kind, with just these roles."""
         return self.meaning == meant(kind, *roles)
 
+    def taken_as(self, unit: str) -> RecordedColumn:
+        """The column with a unit that its numbers suggest; "": they are shares of one."""
+        taken = unit or "shares of one"
+        why = f"{NO_UNIT}; numbers up to {self.largest:.4g} are taken as {taken}"
+        return self.because(why, unit=unit)
+
     def because(self, why: str, **changes: object) -> RecordedColumn:
         """The column with changes, and why."""
         return replace(self, why=(*self.why, why), **changes)  # type: ignore[arg-type]
@@ -156,7 +172,7 @@ def names_in(formula: str) -> set[str]:
 
 
 def find_columns(
-    sources: Sequence[Source], stated: Iterable[str], formulas: Iterable[str], headings: Headings
+    sources: Sequence[Source], stated: Collection[str], formulas: Iterable[str], headings: Headings
 ) -> list[RecordedColumn]:
     """Every column of numbers with its meaning.
 
@@ -171,38 +187,48 @@ def find_columns(
     """
     names = dict.fromkeys(name for source in sources for name in source.table.columns)
     if len(names) > _MOST:
-        message = (
-            f"{len(names)} columns are too many to recognise; leave out those that are not needed"
-        )
-        raise InputError(f"{message}, down to {_MOST}", sources[-1].file)
-    columns = [_found(name, sources, headings) for name in names]
-    stated, in_formulas = {*stated}, {name for formula in formulas for name in names_in(formula)}
-    columns = _valves(_supply(columns), stated)
+        message = f"{len(names)} columns are too many to recognise"
+        hint = f"leave out those that are not needed, down to {_MOST}"
+        raise InputError(f"{message}; {hint}", sources[-1].file)
+    in_formulas = {name for formula in formulas for name in names_in(formula)}
+    columns = _valves(_supply([_found(name, sources, headings) for name in names]), stated)
     if any(c.of("time") for c in columns):
-        columns = [_kept(c) if _is_logged_on_change(c) else c for c in columns]
+        columns = [_kept(c) for c in columns]
     _check_alike([c for c in columns if c.name not in stated], sources)
-    for column in columns:
-        lacking = _lacks_unit(column) and column.name not in in_formulas
-        wrong = _unknown(column, headings) if lacking else ""
-        if not wrong and column.name not in {*stated, *in_formulas}:
-            wrong = _contradicts(column, headings)
-        if wrong:
-            source = sources[min(column.places)]
-            raise InputError(wrong, source.file, source.table.header_line, column.name)
-    columns = [
-        replace(c, meaning=None)
-        if _lacks_unit(c) or (c.name in in_formulas and _contradicts(c, headings))
-        else c
-        for c in columns
-    ]
-    return columns
+    return [_checked(c, sources, stated, in_formulas, headings) for c in columns]
+
+
+def _checked(
+    column: RecordedColumn,
+    sources: Sequence[Source],
+    stated: Collection[str],
+    in_formulas: Collection[str],
+    headings: Headings,
+) -> RecordedColumn:
+    """The column, without a meaning where its unit lacks or contradicts it and a formula of the user reads it.
+
+    Raises:
+        InputError: no formula reads it.
+    """
+    wrong = _lacking_unit(column, headings)
+    if not wrong and (column.name in in_formulas or column.name not in stated):
+        wrong = _contradiction(column, headings)
+    if wrong and column.name not in in_formulas:
+        source = sources[min(column.places)]
+        raise InputError(wrong, source.file, source.table.header_line, column.name)
+    return replace(column, meaning=UNKNOWN) if wrong else column
 
 
 def _found(name: str, sources: Sequence[Source], headings: Headings) -> RecordedColumn:
     places = {i: s.table.columns[name] for i, s in enumerate(sources) if name in s.table.columns}
     first = next(iter(places.values()))
-    if any(column.unit != first.unit for column in places.values()):
-        raise _two_units(name, places, sources)
+    for i, other in places.items():
+        if other.unit != first.unit:
+            there = f"{shown(first.unit)} in {sources[min(places)].file.name}"
+            message = (
+                f"its unit is {there} and {shown(other.unit)} here; draft data sets of their own"
+            )
+            raise InputError(message, sources[i].file, None, name)
     reading = headings.read(name, first.unit)
     recorded = RecordedColumn(
         name,
@@ -217,13 +243,13 @@ def _found(name: str, sources: Sequence[Source], headings: Headings) -> Recorded
     )
     if not recorded.values:
         rows = sum(len(column.values) for column in places.values())
-        return recorded.because(f"it has no value in any of {rows} rows", meaning=None)
+        return recorded.because(f"it has no value in any of {rows} rows", meaning=UNKNOWN)
     if UNNAMED.fullmatch(name):
-        return recorded.because("it has no name, as an index of rows", meaning=None)
+        return recorded.because("it has no name, as an index of rows", meaning=UNKNOWN)
     words = next((w for s in sources if (w := s.words.get(name) or s.words.get(first.heading))), ())
     if words:
         return replace(recorded, meaning=Meaning("direction"), words=words, unit="", stated=True)
-    if recorded.meaning is None:
+    if not recorded.meaning:
         return recorded
     if reading.known_share == 0.0:
         recorded = recorded.because(f"its unit is {reading.unit}")
@@ -236,56 +262,44 @@ def _found(name: str, sources: Sequence[Source], headings: Headings) -> Recorded
 
 def with_usual_unit(column: RecordedColumn, headings: Headings) -> RecordedColumn:
     """A column without a unit, which its numbers suggest."""
-    assert column.meaning is not None
-    if (
-        column.kind == "current"
-        and is_switch(column.samples)
-        and column.largest <= _LARGEST_COMMAND
-    ):
-        column = column.because(
-            "it has two values", meaning=Meaning("command", column.meaning.roles)
-        )
+    two_values = is_switch(column.samples)
+    is_share = headings.usual_unit("command", column.largest) is not None
+    if column.kind == "current" and two_values and is_share:
+        meaning = Meaning("command", column.meaning.roles)
+        column = column.because("it has two values", meaning=meaning)
     if column.kind == "time":
         return column
     if column.kind in ("voltage", "angle"):
-        return replace(column, meaning=None)
-    if column.of("pressure") and is_switch(column.samples):
-        return column.because("it has two values, as a switch has", meaning=None)
+        return replace(column, meaning=UNKNOWN)
+    if column.meaning == PRESSURE and two_values:
+        return column.because("it has two values, as a switch has", meaning=UNKNOWN)
     unit = headings.usual_unit(str(column.meaning), column.largest)
     if unit is None:
-        is_command = column.kind == "command" and column.largest > _LARGEST_COMMAND
-        return replace(column, unknown="counts") if is_command else column
-    if not unit and is_switch(column.samples) and column.largest == 1.0:
+        return replace(column, unknown="counts") if column.kind == "command" else column
+    if not unit and two_values and column.largest == 1.0:
         return column  # nothing to guess
-    taken = unit or "shares of one"
-    return column.because(
-        f"{NO_UNIT}; numbers up to {column.largest:.4g} are taken as {taken}", unit=unit
-    )
+    return column.taken_as(unit)
 
 
-def _two_units(name: str, places: Mapping[int, Column], sources: Sequence[Source]) -> InputError:
-    first = min(places)
-    other = next(i for i, column in places.items() if column.unit != places[first].unit)
-    there, here = (shown(places[i].unit) for i in (first, other))
-    message = f"its unit is {there} in {sources[first].file.name} and {here} here"
-    return InputError(f"{message}; draft data sets of their own", sources[other].file, None, name)
+def _lacking_unit(column: RecordedColumn, headings: Headings) -> str:
+    """The message on a column whose unit is unknown and whose numbers need one; "" where they do not.
 
-
-def _lacks_unit(column: RecordedColumn) -> bool:
-    """Whether the unit that is written is none, and its numbers need one: a command that is on or off needs none."""
-    if not column.unknown or column.unit or column.meaning is None:
-        return False
-    shares = is_count(column.unknown) if column.kind in ("command", "ratio") else True
-    return shares and column.kind not in ("count", "direction")
-
-
-def _unknown(column: RecordedColumn, headings: Headings) -> str:
+    A command that is on or off needs none, nor do counts and directions.
+    """
+    is_share = column.kind in ("command", "ratio")
+    counts = headings.is_count(column.unknown)
+    if (
+        not column.unknown
+        or column.unit
+        or column.kind in ("", "count", "direction")
+        or (is_share and not counts)
+    ):
+        return ""
     left_out = f"or leave it out: --recording 'ignore={column.name}'"
     signal, step = _SCALES.get(column.kind, ("x", "0.02 mm"))
-    if column.meaning is not None and "exhaust" in column.meaning.roles:
-        signal = "u_out"
+    signal = "u_out" if "exhaust" in column.meaning.roles else signal
     scaled = f"scale it, as in --column {scaling(signal, column.name, step)}"
-    if is_count(column.unknown):
+    if counts:
         return f"the size of its {column.unknown} is not stated; {scaled}, {left_out}"
     correct = "correct it in the file"
     if headings.scaled_unit(column.name) != column.unknown:
@@ -301,10 +315,9 @@ def scaling(signal: str, name: str, step: str, less: str = "") -> str:
     return f"'{formula}'" if term == name else '"' + formula.replace('"', '\\"') + '"'
 
 
-def _contradicts(column: RecordedColumn, headings: Headings) -> str:
+def _contradiction(column: RecordedColumn, headings: Headings) -> str:
     """The message on a column whose unit contradicts its name; "" where they agree."""
-    written = next((place.unit for place in column.places.values()), "")
-    unit = known_unit(written)
+    unit = headings.known_unit(column.written_unit)
     contradiction = headings.contradiction(column.name, unit) if unit and column.values else ""
     if not contradiction:
         return ""
@@ -316,14 +329,14 @@ def _contradicts(column: RecordedColumn, headings: Headings) -> str:
 
 def _check_alike(columns: Sequence[RecordedColumn], sources: Sequence[Source]) -> None:
     """Raises InputError where recordings call the same quantity by different names: one would be lost."""
-    for first in columns:
-        for second in columns:
-            alike = first.kind not in ("", "time") and first.meaning == second.meaning
-            if alike and not first.values.keys() & second.values.keys():
-                there, here = sources[min(first.values)].file.name, sources[min(second.values)].file
-                message = f"{there} calls the {first.meaning} {shown(first.name)}"
-                message = f"{message}; files of one kind are drafted together"
-                raise InputError(message, here, None, second.name)
+    for first, second in permutations(columns, 2):
+        alike = first.kind not in ("", "time") and first.meaning == second.meaning
+        if alike and first.values.keys().isdisjoint(second.values):
+            there, here = (sources[min(c.values)].file for c in (first, second))
+            message = f"{there.name} calls the {first.meaning} {shown(first.name)}"
+            raise InputError(
+                f"{message}; files of one kind are drafted together", here, None, second.name
+            )
 
 
 def _supply(columns: list[RecordedColumn]) -> list[RecordedColumn]:
@@ -335,25 +348,31 @@ def _supply(columns: list[RecordedColumn]) -> list[RecordedColumn]:
     """
     supplies = [c for c in columns if c.of("pressure", "supply")]
     plain = [c for c in columns if c.of("pressure")]
-    if supplies and not plain and not any(c.of("pressure", "set") for c in columns):
+    if supplies and not plain and not any(c.meaning == SET_PRESSURE for c in columns):
         largest = max(supplies, key=lambda c: span(c.samples))
         if len(supplies) > 1 or not _varies_little(largest.samples):
-            why = "no other pressure was recorded that moves so"
-            return [
-                c.because(why, meaning=meant("pressure")) if c is largest else c for c in columns
-            ]
+            return _with_meaning(
+                columns, largest, PRESSURE, "no other pressure was recorded that moves so"
+            )
     if len(plain) != 2 or supplies or plain[0].values.keys() != plain[1].values.keys():
         return columns
-    for first, second in (plain, plain[::-1]):
-        role = why = ""
-        if first.unit and first.unit == second.unit and _feeds(first.samples, second.samples):
-            role, why = "supply", f"it stays above '{second.name}' and varies little"
-        elif first.unit and first.unit == second.unit and _leads(first, second):
-            role, why = "set", f"it steps and stays, and '{second.name}' follows it"
-        if role:
-            changed = first.because(why, meaning=meant("pressure", role))
-            return [changed if c is first else c for c in columns]
+    for first, second in permutations(plain):
+        if not first.unit or first.unit != second.unit:
+            continue
+        if _feeds(first.samples, second.samples):
+            why = f"it stays above '{second.name}' and varies little"
+            return _with_meaning(columns, first, meant("pressure", "supply"), why)
+        if _leads(first, second):
+            why = f"it steps and stays, and '{second.name}' follows it"
+            return _with_meaning(columns, first, SET_PRESSURE, why)
     return columns
+
+
+def _with_meaning(
+    columns: Sequence[RecordedColumn], column: RecordedColumn, meaning: Meaning, why: str
+) -> list[RecordedColumn]:
+    """The columns, of which one means something else."""
+    return [c.because(why, meaning=meaning) if c is column else c for c in columns]
 
 
 def _leads(first: RecordedColumn, second: RecordedColumn) -> bool:
@@ -376,82 +395,57 @@ def _varies_little(values: Array) -> bool:
     return not present.size or span(present) < _SUPPLY_RANGE * float(np.mean(present))
 
 
-def _valves(columns: list[RecordedColumn], stated: set[str]) -> list[RecordedColumn]:
+def _valves(columns: list[RecordedColumn], stated: Collection[str]) -> list[RecordedColumn]:
     """Of two unnamed signals of valves, the first is the inlet's; a single one is too."""
     columns = _signed(columns, stated)
     for kind in ("current", "command"):
-        of_kind = [c for c in columns if c.kind == kind and c.meaning is not None]
-        if len(of_kind) > 2:
-            continue
-        taken = {role for c in of_kind if c.meaning for role in c.meaning.roles}
-        free_roles = [role for role in ("inlet", "exhaust") if role not in taken]
-        plain = [c.name for c in of_kind if c.meaning and not c.meaning.roles]
-        roles, alone = dict(zip(plain, free_roles, strict=False)), len(of_kind) == 1
-        columns = [
-            c.because(_why_valve(roles[c.name], alone), meaning=meant(kind, roles[c.name]))
-            if c.name in roles and c.kind == kind
-            else c
-            for c in columns
-        ]
+        of_kind = [c for c in columns if c.kind == kind]
+        taken = frozenset[str]().union(*(c.meaning.roles for c in of_kind))
+        free = [role for role in ("inlet", "exhaust") if role not in taken]
+        plain = [c for c in of_kind if not c.meaning.roles] if len(of_kind) <= 2 else []
+        for column, role in zip(plain, free, strict=False):
+            which = "the first of two" if role == "inlet" else "the other one is not"
+            why = f"the {role} valve's, as {which}"
+            if len(of_kind) == 1:
+                why = "the only one: the inlet valve's"
+            columns = _with_meaning(columns, column, meant(kind, role), why)
     return columns
 
 
-def _why_valve(role: str, alone: bool) -> str:
-    if alone:
-        return "the only one: the inlet valve's"
-    return (
-        f"the {role} valve's, as the first of two"
-        if role == "inlet"
-        else f"the {role} valve's, as the other one is not"
-    )
-
-
-def _signed(columns: list[RecordedColumn], stated: set[str]) -> list[RecordedColumn]:
+def _signed(columns: list[RecordedColumn], stated: Collection[str]) -> list[RecordedColumn]:
     """The columns, of which one that is above and below zero as the pressure rises and falls commands two valves."""
     pressure = next((c for c in columns if c.of("pressure")), None)
     driving = [c for c in columns if c.kind in ("current", "command")]
-    rivals = driving or [
-        c for c in columns if c.meaning is None and not c.unit and not UNNAMED.fullmatch(c.name)
-    ]
-    if (
-        pressure is None
-        or len(driving) > 1
-        or any("set" in c.meaning.roles for c in columns if c.meaning)
-    ):
+    rivals = driving or [c for c in columns if not (c.kind or c.unit or UNNAMED.fullmatch(c.name))]
+    if pressure is None or len(driving) > 1 or any("set" in c.meaning.roles for c in columns):
         return columns
     change = {i: np.gradient(values) for i, values in pressure.values.items() if len(values) > 2}
     for column in (c for c in rivals if c.name not in stated):
         low, high = np.nanmin(column.samples, initial=0.0), np.nanmax(column.samples, initial=0.0)
         is_signed = -low > IMPOSED_RANGE * high > 0.0 and high > IMPOSED_RANGE * -low
         if is_signed and correlation(column.values, change) > _LEAST_SIGNED:
-            halves = [_half(column, role, sign) for role, sign in (("inlet", 1), ("exhaust", -1))]
+            halves = [_half(column, *half) for half in _HALVES]
             return [half for c in columns for half in (halves if c is column else [c])]
     return columns
 
 
-def _half(column: RecordedColumn, role: str, sign: int) -> RecordedColumn:
+def _half(
+    column: RecordedColumn, role: str, sign: int, plus: str, moves: str, side: str
+) -> RecordedColumn:
     """The part of a signed command that is one valve's."""
-    values = {i: np.clip(sign * v, 0.0, None) for i, v in column.values.items()}
-    formula = f"(abs('{column.name}') {'+' if sign > 0 else '-'} '{column.name}') / 2"
-    why = f"the pressure {'rises' if sign > 0 else 'falls'} where it is {'above' if sign > 0 else 'below'} zero"
-    kind = column.kind or "command"
     return column.because(
-        f"one command drives both valves: {why}",
-        meaning=meant(kind, role),
-        values=values,
-        formula=formula,
+        f"one command drives both valves: the pressure {moves} where it is {side} zero",
+        meaning=meant(column.kind or "command", role),
+        values={i: np.clip(sign * v, 0.0, None) for i, v in column.values.items()},
+        formula=f"(abs('{column.name}') {plus} '{column.name}') / 2",
     )
-
-
-def _is_logged_on_change(column: RecordedColumn) -> bool:
-    """Whether somebody sets it, and most likely no slip left the cells empty."""
-    if column.meaning is None or column.is_complete:
-        return False
-    return column.kind in ("command", "current") or "set" in column.meaning.roles
 
 
 def _kept(column: RecordedColumn) -> RecordedColumn:
     """A set point or a command that a logger writes only when it changes, with its value in every row."""
+    is_set = column.kind in ("command", "current") or "set" in column.meaning.roles
+    if not is_set or column.is_complete:
+        return column
     empty = int(np.isnan(column.samples).sum())
     why = f"{empty} of {len(column.samples)} cells are empty: it keeps the value above"
     values = {i: filled_forward(samples) for i, samples in column.values.items()}
@@ -464,25 +458,16 @@ def _kept(column: RecordedColumn) -> RecordedColumn:
 def as_points(columns: Sequence[RecordedColumn]) -> list[RecordedColumn]:
     """The columns of points at rest: a pressure was reached, a mass was hung on, a length that stays is at rest."""
     result = [replace(c, points=True) for c in columns]
-    varying = next((c for c in result if c.kind in ("contraction", "ratio")), None)
-    if varying is not None:
-        why = f"it does not change, and '{varying.name}' does"
-        result = [
-            c.because(why, meaning=AT_REST)
-            if c.of("length") and all(span(values) == 0.0 for values in c.values.values())
-            else c
-            for c in result
-        ]
-    result = _instead(
-        result, meant("pressure", "set"), meant("pressure"), "a set point, taken as reached"
-    )
-    return _instead(result, meant("mass"), meant("force"), "the load of each row")
-
-
-def _instead(
-    columns: list[RecordedColumn], other: Meaning, wanted: Meaning, why: str
-) -> list[RecordedColumn]:
-    """The columns, of which one that means another thing serves where none means what is wanted."""
-    if any(c.meaning == wanted for c in columns):
-        return columns
-    return [c.because(why, meaning=wanted) if c.meaning == other and c.unit else c for c in columns]
+    varying = [c.name for c in result if c.kind in ("contraction", "ratio")]
+    for column in result if varying else ():
+        if column.of("length") and not any(map(span, column.values.values())):
+            why = f"it does not change, and '{varying[0]}' does"
+            result = _with_meaning(result, column, AT_REST, why)
+    for other, wanted, why in (
+        (SET_PRESSURE, PRESSURE, "a set point, taken as reached"),
+        (meant("mass"), meant("force"), "the load of each row"),
+    ):
+        serving = [c for c in result if c.meaning == other and c.unit]
+        for column in serving if not any(c.meaning == wanted for c in result) else ():
+            result = _with_meaning(result, column, wanted, why)
+    return result

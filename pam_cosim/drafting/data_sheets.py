@@ -7,10 +7,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from pam_cosim.arrays import Array
+from pam_cosim.drafting.benches import Bench
 from pam_cosim.drafting.columns import RecordedColumn
-from pam_cosim.drafting.headings import Headings
+from pam_cosim.drafting.headings import VALVES, Headings
 from pam_cosim.errors import InputError
-from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.interface import Variable
 from pam_cosim.units import UnitError, convert, parse_quantity
 from pam_cosim.wording import shown
 
@@ -25,26 +26,12 @@ _RATING = re.compile(
 )
 
 
-@dataclass(frozen=True)
-class Rating:
-    """What a data sheet states of a valve, in its own units.
+Rating = Mapping[str, str]
+"""What a data sheet states of a valve, in its own units.
 
-    Attributes:
-        input: that opens the valve; "": of both valves.
-        size: area, or nominal flow, at the input ``at``.
-        begin: input at which the valve begins to open; "": zero.
-    """
-
-    text: str
-    input: str
-    size: str
-    at: str
-    begin: str
-
-    @property
-    def unit(self) -> str:
-        """Of the input."""
-        return re.sub(r"^[\d.]+\s*", "", self.at)
+The ``size``, an area or a nominal flow, is that at the input ``at``; the valve begins to open at ``begin``, "": zero.
+``input`` opens it, "": it is of both valves. ``text`` is all of it.
+"""
 
 
 @dataclass(frozen=True)
@@ -86,14 +73,24 @@ def rating_of(text: str) -> Rating:
     match = _RATING.fullmatch(text)
     if match is None:
         raise InputError(f"--valve {shown(text)} is not understood; write {EXAMPLES}")
-    return Rating(
-        text, match["input"] or "", match["size"], match["at"] or "", match["begin"] or ""
-    )
+    return {**match.groupdict(default=""), "text": text}
 
 
-def ratings(
-    text: str, interface: Interface, headings: Headings
-) -> tuple[dict[str, Scale], dict[str, str]]:
+def opening_unit(text: str) -> str:
+    """The unit of what opens the valves by their data sheets; "" where they state none.
+
+    Raises:
+        InputError: they are written otherwise.
+    """
+    found = map(rating_of, filter(str.strip, text.split(";")))
+    return next((unit for rating in found if (unit := _unit_at(rating))), "")
+
+
+def _unit_at(rating: Rating) -> str:
+    return rating["at"].lstrip("0123456789. ")
+
+
+def ratings(text: str, bench: Bench) -> tuple[dict[str, Scale], dict[str, float]]:
     """What data sheets state of valves: scales of the inputs that open them, and values of parameters by name.
 
     Sentences are separated by semicolons, each of one valve ("u_in=0.8 mm2 at 250 mA") or of both. An area is
@@ -102,74 +99,64 @@ def ratings(
     Raises:
         InputError: it is written otherwise, the bench has no such valve, or a unit does not fit.
     """
-    scales, values = dict[str, Scale](), dict[str, str]()
+    scales, values = dict[str, Scale](), dict[str, float]()
     for rating in map(rating_of, filter(str.strip, text.split(";"))):
-        inputs = valve_inputs(interface, headings)
-        if rating.input and rating.input not in inputs:
-            valves = (
-                f"the bench has the valves of {', '.join(inputs)}"
-                if inputs
-                else "the bench has none"
-            )
-            raise InputError(f"--valve {shown(rating.text)}: no valve has this input; {valves}")
-        name, scale = _calibration(rating, inputs, interface, headings)
+        inputs = {
+            n: v for n, v in bench.interface.inputs.items() if bench.meanings[n].roles & VALVES
+        }
+        if rating["input"] and rating["input"] not in inputs:
+            valves = f"the valves of {', '.join(inputs)}" if inputs else "none"
+            message = f"no valve has this input; the bench has {valves}"
+            raise InputError(f"--valve {shown(rating['text'])}: {message}")
+        name, scale = _calibration(rating, inputs, bench)
         if isinstance(scale, Scale):
-            scales |= dict.fromkeys([rating.input] if rating.input else inputs, scale)
-        elif rating.input or values:
+            scales |= dict.fromkeys([rating["input"]] if rating["input"] else inputs, scale)
+        elif rating["input"] or values:
             message = f"the bench has one area for both valves, {name}; state one --valve without an input"
-            raise InputError(f"--valve {shown(rating.text)}: {message}")
+            raise InputError(f"--valve {shown(rating['text'])}: {message}")
         else:
             values[name] = scale
     return scales, values
 
 
 def _calibration(
-    rating: Rating, inputs: Mapping[str, Variable], interface: Interface, headings: Headings
-) -> tuple[str, Scale | str]:
+    rating: Rating, inputs: Mapping[str, Variable], bench: Bench
+) -> tuple[str, Scale | float]:
     """The parameter that calibrates the valves, and the scale of their inputs, or its value where there is none."""
-    for last, unit, input_unit, slope, begin in headings.vocabulary.data_sheets:
-        name = next((n for n in interface.parameters if n.rpartition(".")[2] == last), None)
+    for last, unit, input_unit, slope, begin in bench.headings.vocabulary.data_sheets:
+        unit_at = _unit_at(rating)
+        name = next((n for n in bench.interface.parameters if n.rpartition(".")[2] == last), None)
         if name is None or not inputs or {v.unit for v in inputs.values()} != {input_unit}:
             continue
         try:
-            size = _size(rating, unit, headings)
+            size = _size(rating, unit, bench.headings)
             per_input = parse_quantity(slope, f"{unit}/({input_unit})" if begin else unit)
             if not begin:
-                return name, f"{size / per_input / (_number(rating.at, '1') or 1.0):.6g}"
-            full, less = _number(rating.at, rating.unit), _number(rating.begin, rating.unit)
+                return name, size / per_input / (_number(rating["at"], "1") or 1.0)
+            full, less = _number(rating["at"], unit_at), _number(rating["begin"], unit_at)
             if full <= less:
                 raise InputError(
-                    f"--valve {shown(rating.text)}: state at which input, as {EXAMPLES}"
+                    f"--valve {shown(rating['text'])}: state at which input, as {EXAMPLES}"
                 )
             gain = size / per_input / (full - less)
-            return name, Scale(
-                rating.unit, less, gain, parse_quantity(begin, input_unit), input_unit
-            )
+            return name, Scale(unit_at, less, gain, parse_quantity(begin, input_unit), input_unit)
         except UnitError as error:
-            raise InputError(f"--valve {shown(rating.text)}: {error}; write {EXAMPLES}") from None
+            raise InputError(
+                f"--valve {shown(rating['text'])}: {error}; write {EXAMPLES}"
+            ) from None
     raise InputError("--valve: the bench has no valve whose area a data sheet states; leave it out")
-
-
-def valve_inputs(interface: Interface, headings: Headings) -> Mapping[str, Variable]:
-    """The inputs that open valves."""
-    kinds = {n: headings.variable(v) for n, v in interface.inputs.items()}
-    return {
-        n: interface.inputs[n]
-        for n, meaning in kinds.items()
-        if meaning and meaning.roles & {"inlet", "exhaust"}
-    }
 
 
 def _size(rating: Rating, unit: str, headings: Headings) -> float:
     """The size [``unit``], of a nominal flow by the convention of the vocabulary."""
     for other, of_unit, factor in headings.vocabulary.nominal:
         try:
-            size = parse_quantity(rating.size, other)
+            size = parse_quantity(rating["size"], other)
         except UnitError:
             continue
         if of_unit == unit:
             return size * parse_quantity(factor, f"{unit}/({other})")
-    return parse_quantity(rating.size, unit)
+    return parse_quantity(rating["size"], unit)
 
 
 def _number(text: str, unit: str) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from textwrap import wrap
 
@@ -22,26 +22,24 @@ class Draft:
     """The content of the file.
 
     Attributes:
-        evidence, bench, mapped: what was recorded, the bench, and the recordings under its names.
+        bench, mapped: the bench with what was recorded, and the recordings under its names.
         files: names of the copies, one for each recording.
         ignored: names of columns that are not read, and why.
-        sigmas: by signals that count; ``shown`` are compared only.
+        sigmas: by signals.
         follows: parameters that no file and no user states, with their value and why.
         run_values: by recording, values of parameters and inputs that hold in this recording alone.
-        open: which parameters a fit may determine.
+        open: which parameters a fit may determine. rated: of these, those about whose size a data sheet says something.
         interpolation: of the inputs of all recordings.
         points: of tables of points at rest.
         valve: what the user states of data sheets of valves; "": nothing.
     """
 
     title: str
-    evidence: Evidence
     bench: Bench
     mapped: Mapped
     files: Sequence[str]
     ignored: Mapping[str, str]
     sigmas: Mapping[str, Sigma]
-    shown: Sequence[str]
     follows: Mapping[str, tuple[str, str]]
     run_values: Sequence[Mapping[str, StatedValue]]
     open: OpenParameters
@@ -49,11 +47,23 @@ class Draft:
     interpolation: str = "linear"
     points: PointsDraft | None = None
     valve: str = ""
+    rated: Collection[str] = ()
+
+    @property
+    def free(self) -> dict[str, Variable]:
+        """What a fit moves, with its bounds: no data sheet states what a jet leaves of an area."""
+        free = self.open.free.items()
+        return {n: v for n, v in free if n in self.rated or not self.is_known(n)}
 
     @property
     def interface(self) -> Interface:
         """Of the bench."""
         return self.bench.interface
+
+    @property
+    def evidence(self) -> Evidence:
+        """What was recorded."""
+        return self.bench.evidence
 
     @property
     def recordings(self) -> list[str]:
@@ -150,7 +160,7 @@ def _texts(values: Iterable[str]) -> str:
 
 def _columns(draft: Draft) -> Iterator[str]:
     entries = draft.mapped.entries.values()
-    shared = [entry for entry in entries if not _own(draft, entry) and _told(entry)]
+    shared = [entry for entry in entries if not _own(draft, entry) and _is_needed(entry)]
     if shared:
         yield "[columns]"
     for entry in shared:
@@ -164,7 +174,8 @@ def _own(draft: Draft, entry: ColumnEntry) -> bool:
     return len(having) < len(draft.files) or differs
 
 
-def _told(entry: ColumnEntry) -> bool:
+def _is_needed(entry: ColumnEntry) -> bool:
+    """Whether the column has another name, unit, sign or zero than the bench."""
     renamed = entry.column is not None and entry.column != entry.name
     return bool(renamed or entry.unit or entry.formula or entry.zero or entry.words or entry.gain)
 
@@ -208,10 +219,6 @@ def _signals(draft: Draft) -> Iterator[str]:
             continue
         yield from _guessed("sigma", f"it is {sigma.why}")
         yield f"sigma = {_quantity(sigma.value, draft.interface.outputs[name].unit, 3)}"
-    for name in draft.shown:
-        yield from remark(
-            f"{name} is compared and not fitted; a table [signals.{name}] would change that"
-        )
 
 
 def _parameters(draft: Draft) -> Iterator[str]:
@@ -248,15 +255,11 @@ def _commented(name: str, variable: Variable) -> str:
 
 
 def _fit(draft: Draft) -> Iterator[str]:
-    determined = {
-        *draft.evidence.stated,
-        *draft.follows,
-        *(n for run in draft.run_values for n in run),
+    free, of_runs = draft.free, {n for run in draft.run_values for n in run}
+    free = {n: v for n, v in free.items() if n not in of_runs}
+    more = {
+        n: v for n, v in draft.open.perhaps.items() if n not in of_runs and not draft.is_known(n)
     }
-    free, more = (
-        {n: v for n, v in variables.items() if n not in determined}
-        for variables in (draft.open.free, draft.open.perhaps)
-    )
     if not free and not more:
         return
     yield "[fit]"
@@ -310,7 +313,7 @@ def _run(draft: Draft, i: int) -> Iterator[str]:
             yield from _guessed(name, value.why)
         yield f"{toml_string(name)} = {_value(value.value)}"
     having = [e for e in draft.mapped.entries.values() if i in draft.having(e.name)]
-    entries = [entry for entry in having if _own(draft, entry) and _told(entry)]
+    entries = [entry for entry in having if _own(draft, entry) and _is_needed(entry)]
     if entries:
         yield "[runs.columns]"
     for entry in entries:

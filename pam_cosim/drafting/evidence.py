@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.drafting.columns import RecordedColumn, as_points, find_columns, names_in
-from pam_cosim.drafting.headings import Headings, Remark, remarks_in
+from pam_cosim.drafting.headings import UNKNOWN, Headings, Remark, remarks_in
 from pam_cosim.drafting.recordings import Source, in_parts, places_of, read_sources, recording_table
 from pam_cosim.drafting.time_axis import (
     SeveralClocks,
@@ -75,11 +75,17 @@ class Evidence:
         """A column that holds it, near that of the standard atmosphere; None: there is none."""
         low, high = ATMOSPHERES
         for column in self.columns:
-            if column.of("pressure", "ambient") and column.unit:
+            if column.of("pressure", "ambient") and column.unit and column.values:
                 values = convert(column.samples, column.unit, "Pa")
-                if values.size and bool(((low <= values) & (values <= high)).all()):
+                if bool(((low <= values) & (values <= high)).all()):
                     return column
         return None
+
+    @property
+    def stated_names(self) -> list[str]:
+        """The parameters and inputs that the user states, of all recordings or of one."""
+        of_runs = (name for values in self.run_parameters for name in values)
+        return list(dict.fromkeys([*self.stated, *of_runs]))
 
     @property
     def files(self) -> list[Path]:
@@ -89,9 +95,9 @@ class Evidence:
     @property
     def signals(self) -> list[RecordedColumn]:
         """Columns of which it is known what they are, but for time and what stands around a muscle."""
-        around = frozenset({"ambient", "rest"})
-        recognised = [c for c in self.columns if c.meaning is not None and not c.of("time")]
-        return [c for c in recognised if c.meaning and not c.meaning.roles & around]
+        around = ("ambient", "rest")
+        recognised = [c for c in self.columns if c.meaning and not c.of("time")]
+        return [c for c in recognised if c.meaning.roles.isdisjoint(around)]
 
 
 def gather(
@@ -110,37 +116,18 @@ def gather(
     """
     recording = recording_table(requests.recording or {})
     sources = read_sources(files, recording, headings)
-    recorded = {name for source in sources for name in source.table.columns}
-    called = {c.heading.strip(): n for source in sources for n, c in source.table.columns.items()}
-    wanted = {n: called.get(text.strip(" '"), text) for n, text in (requests.columns or {}).items()}
-    requested = {name: name for name in names if name in recorded and name not in wanted}
-    requested |= {name: column for name, column in wanted.items() if column in recorded}
-    formulas = {name: text for name, text in wanted.items() if text not in recorded}
-    for name, text in formulas.items():
-        if name == "time" or not re.search(r"[-+*/^('\"]", text):
-            hint = did_you_mean(text, recorded)
-            raise InputError(f"--column {name}: no file has a column {shown(text)}; {hint}")
-    while True:
-        columns = find_columns(sources, requested.values(), formulas.values(), headings)
-        try:
-            columns, time = with_time(columns, requested.get("time"), headings)
-        except SeveralClocks as found:
-            sources = with_one_clock(sources, columns, found, headings)
-            continue
-        parts = sources if time is None else in_parts(sources, time.name, time.unit)
-        if len(parts) == len(sources):
-            break
-        sources = parts
+    requested, formulas = _stated_columns(requests.columns or {}, sources, names)
+    sources, columns, time = _recognised(sources, requested, formulas, headings)
     check_time(time, columns, sources, recording, headings)
-    # rows of several experiments are not evenly apart
     interval = None
-    if time is not None and all(source.part is None for source in sources):
-        interval = even_interval([convert(v, time.unit, "s") for v in time.values.values()])
+    # rows of several experiments are not evenly apart
+    if time is not None and not any(source.part for source in sources):
+        interval = even_interval(list(time.converted("s").values()))
+    if time is not None and recording.interval is None and interval is not None:
+        columns = [_coarse(c, interval) if c.name == time.name else c for c in columns]
+        recording = recording.model_copy(update={"interval": Stated(interval)})
     if recording.interval is not None:
         time = None
-    elif time is not None and interval is not None:
-        columns = [_coarse(c, interval) if c.name == time.name else c for c in columns]
-        time, recording = None, recording.model_copy(update={"interval": Stated(interval)})
     points = time is None and recording.interval is None
     stated, of_run = _stated(requests.parameters or {}, sources)
     words = list(dict.fromkeys(word for source in sources for word in source.table.missing))
@@ -161,6 +148,45 @@ def gather(
     )
 
 
+def _stated_columns(
+    wanted: Mapping[str, str], sources: Sequence[Source], names: Collection[str]
+) -> tuple[dict[str, str], dict[str, str]]:
+    """Columns and formulas by the bench's names, as the user states them or the files call them.
+
+    Raises:
+        InputError: a text is neither a column nor a formula.
+    """
+    recorded = {n: c for source in sources for n, c in source.table.columns.items()}
+    called = {column.heading.strip(): name for name, column in recorded.items()}
+    stated = {n: called.get(text.strip(" '"), text) for n, text in wanted.items()}
+    formulas = {name: text for name, text in stated.items() if text not in recorded}
+    for name, text in formulas.items():
+        if name == "time" or not re.search(r"[-+*/^('\"]", text):
+            hint = did_you_mean(text, recorded)
+            raise InputError(f"--column {name}: no file has a column {shown(text)}; {hint}")
+    alike = {name: name for name in names if name in recorded and name not in stated}
+    return alike | {n: text for n, text in stated.items() if n not in formulas}, formulas
+
+
+def _recognised(
+    sources: list[Source],
+    requested: Mapping[str, str],
+    formulas: Mapping[str, str],
+    headings: Headings,
+) -> tuple[list[Source], list[RecordedColumn], RecordedColumn | None]:
+    """The recordings, one for each experiment and of one clock each, with their columns and the time."""
+    columns = find_columns(sources, requested.values(), formulas.values(), headings)
+    try:
+        columns, time = with_time(columns, requested.get("time"), headings)
+    except SeveralClocks as found:
+        merged = with_one_clock(sources, columns, found, headings)
+        return _recognised(merged, requested, formulas, headings)
+    parts = sources if time is None else in_parts(sources, time.name, time.unit)
+    if len(parts) > len(sources):
+        return _recognised(parts, requested, formulas, headings)
+    return sources, columns, time
+
+
 def used_in(evidence: Evidence) -> set[str]:
     """The columns that formulas of the user read."""
     return {name for text in evidence.formulas.values() for name in names_in(text)}
@@ -171,7 +197,7 @@ def _coarse(time: RecordedColumn, interval: str) -> RecordedColumn:
     values = next(iter(time.values.values()))
     rows, times = len(values), len(np.unique(values))
     why = f"a clock too coarse, {rows} rows at {times} times: the rows are taken to be {interval} apart"
-    return replace(time, meaning=None, why=(why,))
+    return replace(time, meaning=UNKNOWN, why=(why,))
 
 
 def _stated(

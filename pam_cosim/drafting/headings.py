@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from functools import lru_cache
@@ -24,41 +24,11 @@ from pam_cosim.wording import shown
 
 LENGTHS = ("contraction", "length", "ratio")
 MECHANICAL = (*LENGTHS, "force")
-_VALVES = frozenset(("inlet", "exhaust"))
-_COUNTS = (
-    "count", "counts", "bit", "bits", "digit", "digits", "lsb", "px", "pix", "pixel", "pixels", "mv/v",
-)  # fmt: skip
-_PASSING = (
-    "a",
-    "as",
-    "at",
-    "by",
-    "in",
-    "is",
-    "it",
-    "of",
-    "off",
-    "on",
-    "out",
-    "that",
-    "the",
-    "to",
-    "up",
-)
+VALVES = frozenset(("inlet", "exhaust"))
+_TIME = "time|zeit|temps"
 _ANY_PRESSURE = ("p", "press", "pressure", "druck", "pression")
 _ABSOLUTE = re.compile(r"abs|pabs|absol.*")
 _STANDS_FOR = {"ratio": ("contraction", "length"), "mass": ("force",), "current": ("command",)}
-_WRITTEN = {
-    "bar": "bar", "kPa": "kpa", "hPa": "hpa", "Pa": "pa", "psi": "psi", "MPa": "mpa", "mbar": "mbar", "torr": "torr",
-    "kgf/cm2": "kgf/cm2, kg/cm2, kg/cm^2, kp/cm2", "lbf/in2": "lb/in2, lbs/in2, lb/in^2, lbs/in^2", "ms": "msec",
-    "s": "sec, sek, sek., secs, seconds, sekunden, secondes", "N": "newton, n", "kN": "kn", "kg": "kg",
-    "degC": "celsius, c, degc, grad c, deg c", "degF": "fahrenheit, f, degf, grad f, deg f", "K": "kelvin",
-    "A": "ampere, amp, a", "mA": "ma", "V": "volt, volts, v", "mm": "mm, millimeter", "cm": "cm", "deg": "grad",
-    "inch": "inch, in., zoll, \", ''", "%": "prozent, percent, pct",
-}  # fmt: skip
-_SPELLINGS = {
-    written: unit for unit, several in _WRITTEN.items() for written in several.split(", ")
-}
 _SIZE = r"\d+(?:[.,]\d+)?(?:e[+-]?\d+)?(?:\^[+-]?\d+)?"
 _FACTOR = re.compile(
     rf"(?:[x×*]\s*)?{_SIZE}(?:/{_SIZE})?\s*[x×*·]?\s*(?P<behind>\D.*)|(?P<before>\D.*?)\s*[/x×*·]\s*{_SIZE}"
@@ -66,12 +36,11 @@ _FACTOR = re.compile(
 _AT_END = re.compile(
     r"(?P<name>.+?)(?:\s*\((?P<round>.+)\)|\s+(?:/|in)\s+(?P<over>.+)|[\s_]+(?P<part>\d[^\s_]*))"
 )
-_DATA = re.compile(r"(?P<name>.+?)[._ ](?:data|values?)", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
 class Meaning:
-    """Meaning of a column or a variable: a kind of the vocabulary, and roles that distinguish it within its kind."""
+    """A kind of the vocabulary, "" where it is unknown, and the roles that distinguish a quantity within its kind."""
 
     kind: str
     roles: frozenset[str] = frozenset()
@@ -79,9 +48,8 @@ class Meaning:
     def __str__(self) -> str:
         return " ".join([*sorted(self.roles), self.kind])
 
-
-AT_REST = Meaning("length", frozenset({"rest"}))
-"""The length of a muscle at rest, in a column."""
+    def __bool__(self) -> bool:
+        return bool(self.kind)
 
 
 def meant(kind: str, *roles: str) -> Meaning:
@@ -89,12 +57,16 @@ def meant(kind: str, *roles: str) -> Meaning:
     return Meaning(kind, frozenset(roles))
 
 
+UNKNOWN, PRESSURE, SET_PRESSURE = meant(""), meant("pressure"), meant("pressure", "set")
+AT_REST = meant("length", "rest")
+"""The length of a muscle at rest, in a column."""
+
+
 @dataclass(frozen=True)
 class Heading:
     """The reading of a heading.
 
     Attributes:
-        meaning: None where no word is known.
         unit: as pint reads it; "" where none is written.
         written: the unit as it stands in the file's place for units is ``unit``.
         unknown: the unit that is written, where its size is unknown, or with a factor; else "".
@@ -102,7 +74,7 @@ class Heading:
         known_share: share of its words that are known; a larger share names the quantity better.
     """
 
-    meaning: Meaning | None
+    meaning: Meaning
     unit: str
     written: bool
     unknown: str = ""
@@ -117,25 +89,10 @@ def folded(text: str) -> str:
 
 
 def split_words(text: str) -> list[str]:
-    """``uDruck_1``, ``p kPa`` and ``SollDruck`` in words; numbers are left out."""
+    """``uDruck_1``, ``p kPa`` and ``SollDruck`` in words, in small letters; numbers are left out."""
     apart = re.sub(r"(?<=[a-zäöüß])(?=[A-Z][a-zäöü])", " ", text)
     parts = re.split(r"[\W_]+|(?<=[^\W\d])(?=\d)|(?<=\d)(?=[^\W\d])", apart)
-    return [word for word in parts if word and not word.isdigit()]
-
-
-def is_count(unit: str) -> bool:
-    """Whether a unit is one of a converter, a camera or a bridge, of which only the lab knows how large it is."""
-    return folded(unit.strip()) in _COUNTS
-
-
-def known_unit(unit: str) -> str:
-    """The unit as the registry of units has it, without what a pressure is counted from; "" where it is none.
-
-    Where only capitals distinguish units, the usual one is meant: muscles are not measured in Mbar or mPa.
-    """
-    text = pressure_reference(unit.strip())[0]
-    usual = _SPELLINGS.get(folded(text), "")
-    return usual or (text if text and is_unit(text) and not text.isdigit() else "")
+    return [folded(word) for word in parts if word and not word.isdigit()]
 
 
 @lru_cache(maxsize=4096)
@@ -152,63 +109,77 @@ def _among(word: str, listed: str) -> bool:
     return any(word == p[1:] if p[0] == "=" else p in word for p in listed.split())
 
 
-def _unit_with_factor(text: str) -> str:
-    """The unit of a text such as ``x10^5 Pa`` or ``mm/10``; "" where it is another text."""
-    match = _FACTOR.fullmatch(text)
-    return known_unit(match["before"] or match["behind"]) if match else ""
-
-
 class Headings:
-    """Reads headings and descriptions by a vocabulary."""
+    """Reads headings and descriptions by a vocabulary.
 
-    def __init__(self, vocabulary: Vocabulary) -> None:
-        self.vocabulary = vocabulary
+    Args:
+        vocabulary: of the library.
+        opening: unit of what opens the valves, by their data sheet; "": not stated.
+    """
+
+    def __init__(self, vocabulary: Vocabulary, opening: str = "") -> None:
+        self.vocabulary, self._opening = vocabulary, opening
         self.units = {kind: unit for kind, unit, _, _ in reversed(vocabulary.kinds)}
-        self._traits = {kind: set(traits.split()) for kind, _, traits, _ in vocabulary.kinds}
         self.kinds_of = lru_cache(maxsize=4096)(self._kinds_of)
         self.meaning_of = lru_cache(maxsize=4096)(self._meaning_of)
+        self._traits = {kind: set(traits.split()) for kind, _, traits, _ in vocabulary.kinds}
+        self._spellings = {
+            spelling: unit
+            for unit, spellings in vocabulary.spellings
+            for spelling in spellings.split(", ")
+        }
 
     def with_trait(self, *traits: str) -> set[str]:
         """The kinds that have one of these traits."""
         return {kind for kind, has in self._traits.items() if has.intersection(traits)}
 
+    def is_count(self, unit: str) -> bool:
+        """Whether a unit is one of a converter, a camera or a bridge, of which only the lab knows how large it is."""
+        return folded(unit.strip()) in self.vocabulary.counts
+
+    def known_unit(self, unit: str) -> str:
+        """The unit as the registry of units has it, without what a pressure is counted from; "" where it is none.
+
+        Where only capitals distinguish units, the usual one is meant: muscles are not measured in Mbar or mPa.
+        """
+        text = pressure_reference(unit.strip())[0]
+        is_written = bool(text) and is_unit(text) and not text.isdigit()
+        return self._spellings.get(folded(text), "") or (text if is_written else "")
+
     def read(self, name: str, unit: str) -> Heading:
         """What a column is, by its name and unit."""
-        data = _DATA.fullmatch(name)
-        name = data["name"] if data else name
-        stated = "" if is_count(unit) else known_unit(unit)
-        absolute = self._says_absolute(unit, name)
+        stated = "" if self.is_count(unit) else self.known_unit(unit)
+        absolute = _says_absolute(unit, name)
         written_unit = unit.strip() or self.scaled_unit(name)
         if not written_unit:
             stated, name = self._unit_in_name(name)
-            if is_count(stated):
+            if self.is_count(stated):
                 stated, written_unit = "", stated
         # Of a path, ``Model Root/ADC/p``, the last part names the quantity, if it has a known word.
-        parts = [[folded(w) for w in split_words(part)] for part in re.split(r"[/\\|.]", name)]
+        parts = [split_words(part) for part in re.split(r"[/\\|.]", name)]
         parts = [part for part in parts if part not in (["in"], ["out"])] or parts  # of a block
         if self._kinds_in(parts[-1]):
             parts = parts[::-1]
-        small = [word for part in parts for word in part]
-        meaning = self._meaning(small, stated or _unit_with_factor(written_unit))
-        recognised = [w for i, w in enumerate(small) if self._kinds_at(w, i) or self._roles([w])]
-        share = len(recognised) / len(small) if small else 0.0
-        unknown = "" if stated or is_dimensionless(written_unit) else written_unit
-        written = bool(stated) and stated == unit.strip()
-        return Heading(meaning, stated, written, unknown, absolute, share)
+        words = [word for part in parts for word in part]
+        meaning = self._meaning(words, stated or self._unit_with_factor(written_unit))
+        recognised = [w for i, w in enumerate(words) if self._kinds_at(w, i) or self._roles([w])]
+        return Heading(
+            meaning,
+            stated,
+            bool(stated) and stated == unit.strip(),
+            "" if stated or is_dimensionless(written_unit) else written_unit,
+            absolute,
+            len(recognised) / (len(words) or 1),
+        )
 
     def says_time(self, name: str, unit: str = "") -> bool:
         """Whether a heading is that of a time."""
-        meaning = self.read(name, unit).meaning
-        return meaning is not None and meaning.kind == "time"
+        return self.read(name, unit).meaning.kind == "time"
 
     def time_of(self, name: str, names: Collection[str]) -> str:
         """The column of which this one has the times: ``p.Time`` and ``t_p`` of ``p``; "" for none."""
-        match = re.fullmatch(
-            r"(.+)[._ ](?:time|zeit|temps|t)|(?:time|zeit|temps|t)[._ ](.+)", name, re.IGNORECASE
-        )
-        if match is None:
-            return ""
-        bare = match[1] or match[2]
+        match = re.fullmatch(rf"(.+)[._ ](?:{_TIME}|t)|(?:{_TIME}|t)[._ ](.+)", name, re.IGNORECASE)
+        bare = match[1] or match[2] if match else ""
         return next((n for n in names if n in (bare, f"{bare}.Data", f"{bare}_data")), "")
 
     def scaled_unit(self, name: str) -> str:
@@ -219,69 +190,71 @@ class Headings:
         match = _AT_END.fullmatch(name)
         if match is None:
             return ""
-        kinds = self._kinds_in([folded(word) for word in split_words(match["name"])])
+        kinds = self._kinds_in(split_words(match["name"]))
         part = match["part"] if "time" in kinds else None
         text = match["round"] or match["over"] or part or ""
-        unit = _unit_with_factor(text)
+        unit = self._unit_with_factor(text)
         needing = self.with_trait("counted", "transmitted") | {"mass", "current", "time"}
         wanted = needing.intersection(kinds or needing)
-        return text if unit and any(self.fits(unit, kind) for kind in wanted) else ""
+        return text if unit and wanted & self._fitting(unit) else ""
+
+    def _unit_with_factor(self, text: str) -> str:
+        """The unit of a text such as ``x10^5 Pa`` or ``mm/10``; "" where it is another text."""
+        match = _FACTOR.fullmatch(text)
+        return self.known_unit(match["before"] or match["behind"]) if match else ""
 
     def contradiction(self, name: str, unit: str) -> str:
         """The message where the words of a name contradict its unit; "" where they agree."""
-        words = [folded(word) for word in split_words(name)]
+        words, fitting = split_words(name), self._fitting(unit)
         possible = self._kinds_in(words)
         sure = self.vocabulary.sure
         named = [k for k, ps in sure if any(fnmatchcase(w, p) for w in words for p in ps.split())]
-        if self.fits(unit, "current"):
-            named += [
-                kind for kind in possible if kind in self.with_trait("counted", "transmitted")
-            ]
-        kinds = (*(kind for kind, _ in sure), "length", "time", "current")
-        by_unit = next((kind for kind in kinds if self.fits(unit, kind)), "")
+        if "current" in fitting:
+            transmitted = self.with_trait("counted", "transmitted")
+            named += [kind for kind in possible if kind in transmitted]
+        kinds = (*dict(sure), "length", "time", "current")
+        by_unit = next((kind for kind in kinds if kind in fitting), "")
         if not named or not by_unit or self._with_unit(unit).intersection([*named, *possible]):
             return ""
         return f"its name means {named[0]}, its unit {shown(unit)} means {by_unit}"
 
     def direction_word(self, word: str) -> int:
         """1 for a word of contraction or rising pressure, -1 for the contrary; 0: neither."""
-        text = folded(word)
-        rows = self.vocabulary.directions
-        return next(
-            (1 if way == "up" else -1 for way, patterns in rows if _among(text, patterns)), 0
-        )
+        ways = (w for w, listed in self.vocabulary.directions if _among(folded(word), listed))
+        return {"up": 1, "down": -1}.get(next(ways, ""), 0)
 
     def usual_unit(self, meaning: str, largest: float) -> str | None:
         """The unit that numbers of a kind most likely have, by their largest magnitude; None: unknown."""
         rows = dict(reversed(self.vocabulary.units))
-        listed = rows.get(meaning, rows.get(meaning.split()[-1]))
+        listed = rows.get(meaning, rows.get(meaning.split()[-1], ""))
         for entry in listed.split(", ") if listed else ():
             size, _, unit = entry.rpartition(" ")
             if not size and unit[0].isdigit():
                 size, unit = unit, ""
-            if largest <= (float(size) if size else inf):
+            if largest <= float(size or inf):
                 return unit
         return None
 
     def fits(self, unit: str, kind: str) -> bool:
         """Whether numbers of this unit are of that kind."""
-        return kind in self.units and alike(unit, self.units[kind])
+        return kind in self._fitting(unit)
 
-    def variable(self, variable: Variable) -> Meaning | None:
+    def _fitting(self, unit: str) -> set[str]:
+        """The kinds whose numbers can have this unit."""
+        return {kind for kind, usual in self.units.items() if alike(unit, usual)}
+
+    def variable(self, variable: Variable) -> Meaning:
         """What an input or output of a bench is, by its unit and description."""
         return self.meaning_of(variable.name, variable.description, variable.unit)
 
-    def _meaning_of(self, name: str, description: str, unit: str) -> Meaning | None:
-        description_words = [folded(word) for word in split_words(description)]
-        words = [folded(word) for word in split_words(name)]
-        words += [word for word in description_words if word not in _PASSING]
-        return self._meaning(words, unit or "1", exact=True)
+    def meanings(self, variables: Mapping[str, Variable]) -> dict[str, Meaning]:
+        """What inputs and outputs are, by name."""
+        return {name: self.variable(variable) for name, variable in variables.items()}
 
-    def _says_absolute(self, unit: str, name: str) -> bool:
-        """Whether a heading states an absolute pressure: by a word, by its unit, or by a unit in its name."""
-        units = [unit, *re.split(r"[\W_]+", name)]
-        by_unit = any(pressure_reference(text)[1] == "absolute" for text in units)
-        return by_unit or any(_ABSOLUTE.fullmatch(folded(word)) for word in split_words(name))
+    def _meaning_of(self, name: str, description: str, unit: str) -> Meaning:
+        words = split_words(name)
+        words += [word for word in split_words(description) if word not in ("in", "out")]
+        return self._meaning(words, unit or "1", exact=True)
 
     def _unit_in_name(self, name: str) -> tuple[str, str]:
         """A unit that stands behind a name, and the name without: ``p_kPa``, ``source kPa gauge``."""
@@ -298,27 +271,24 @@ class Headings:
 
     def _unit_beside(self, part: str, remaining: Sequence[str]) -> str:
         """The unit that a part of a name is, if it fits the quantity of the other parts; "" where it is none."""
-        unit = known_unit(part)
-        kinds = set(self._kinds_in([folded(w) for text in remaining for w in split_words(text)]))
-        if is_count(part):
+        unit = self.known_unit(part)
+        kinds = set(self._kinds_in([word for text in remaining for word in split_words(text)]))
+        if self.is_count(part):
             return part if self.with_trait("counted").intersection(kinds) else ""
         if len(part) == 1 and not (is_unit(part) and (part.isupper() or unit == part)):
             return ""
-        of_length = {self.units[kind] for kind in kinds} == {
-            "m"
-        }  # it has neither inlet nor exhaust
+        of_length = {self.units[kind] for kind in kinds} == {"m"}  # neither inlet nor exhaust
         if not unit or (self._is_role(part, remaining) and not of_length):
             return ""
         # "valve_A", "valve_A1" and "F_g" name valves and a weight.
         is_word = len(part) > 1 and part.isalpha()
-        fitting = {kind for kind in self.units if self.fits(unit, kind)}
-        among = self._with_unit(unit) if is_word else fitting
+        among = self._with_unit(unit) if is_word else self._fitting(unit)
         says_so = bool(among & kinds) if kinds else bool(among) and len(part) > 1
         return unit if says_so or "voltage" in among else ""
 
     def _with_unit(self, unit: str) -> set[str]:
         """What has numbers of this unit, or is also measured in it."""
-        kinds = {kind for kind in self.units if self.fits(unit, kind)}
+        kinds = self._fitting(unit)
         return kinds.union(*(_STANDS_FOR.get(kind, ()) for kind in kinds))
 
     def _is_role(self, part: str, remaining: Sequence[str]) -> bool:
@@ -330,49 +300,50 @@ class Headings:
         any_pressure = len(remaining) == 1 and folded(remaining[0]) in _ANY_PRESSURE
         return bool(self._roles([word])) and not (word == "atm" and not any_pressure)
 
-    def _meaning(self, words: list[str], unit: str, *, exact: bool = False) -> Meaning | None:
-        named = self._kinds_in(words)
-        roles = self._roles(words)
-        if (
-            not exact
-            and words
-            and words[-1] in ("time", "zeit", "temps")
-            and alike(unit or "s", "s")
-        ):
+    def _meaning(self, words: list[str], unit: str, *, exact: bool = False) -> Meaning:
+        named, roles = self._kinds_in(words), self._roles(words)
+        is_time = not exact and bool(words) and words[-1] in _TIME.split("|")
+        if is_time and alike(unit or "s", "s"):
             return Meaning("time")
         by_words = self._kind_without_unit(named, roles)
         kind = self._kind_with_unit(named, unit, exact) if unit else by_words
-        if kind is None or kind in ("count", "direction"):
-            return Meaning(kind) if kind else None
-        is_valve = kind in ("command", "current")
-        return Meaning(kind, frozenset(roles & _VALVES if is_valve else roles - _VALVES))
+        if kind in ("", "time", "count", "direction"):
+            return Meaning(kind)
+        if kind == "voltage" and self._opening and alike(unit, self._opening):
+            kind = "current"  # a card's volts open a valve as its amperes do
+        return Meaning(
+            kind, frozenset(roles & VALVES if kind in ("command", "current") else roles - VALVES)
+        )
 
-    def _kind_without_unit(self, named: Sequence[str], roles: set[str]) -> str | None:
+    def _kind_without_unit(self, named: Sequence[str], roles: set[str]) -> str:
         """The kind of the first known word; a commanded current or contraction is a command, an ambient T no time."""
         if "ambient" in roles and "temperature" in named:
             return "temperature"
-        alone = next(
-            (kind for role, kind, _ in self.vocabulary.roles if role in roles and kind), None
-        )
-        kind = named[0] if named else alone
-        if kind == "command" and len(named) == 1 and "set" in roles and not roles & _VALVES:
+        alone = [kind for role, kind, _ in self.vocabulary.roles if role in roles and kind]
+        kind = [*named, *alone, ""][0]
+        if kind == "command" and len(named) == 1 and "set" in roles and not roles & VALVES:
             return kind
         return "command" if "command" in named and kind in ("current", "contraction") else kind
 
-    def _kind_with_unit(self, named: Sequence[str], unit: str, exact: bool) -> str | None:
+    def _kind_with_unit(self, named: Sequence[str], unit: str, exact: bool) -> str:
         """The kind of the words among those that have the unit; without words, the usual kind of that unit."""
-        possible = [kind for kind in self.units if self.fits(unit, kind)]
-        kind = next((k for k in named if k in possible), None)
+        possible = [kind for kind in self.units if alike(unit, self.units[kind])]
+        is_share = "ratio" in possible
         is_length = "contraction" in named or "length" in named
-        if kind is None and "ratio" in possible and is_length:
+        kind = next((k for k in named if k in possible), "")
+        if not kind and is_share and is_length:
             kind = "ratio"
-        if kind is None and possible and not (exact and possible[0] == "ratio"):
-            usual = "contraction" if "contraction" in possible else possible[0]
-            kind = None if "ratio" in possible else usual
-        if kind in ("contraction", "ratio", "command") and "ratio" in possible:
-            is_share = is_length or "ratio" in named
-            kind = "ratio" if is_share else "command" if "command" in named else None
-        weighed = kind == "mass" or (kind is None and "mass" in possible)
+        if not kind and possible and not is_share:
+            kind = "contraction" if "contraction" in possible else possible[0]
+        if kind in ("contraction", "ratio", "command") and is_share:
+            kind = (
+                "ratio"
+                if is_length or "ratio" in named
+                else "command"
+                if "command" in named
+                else ""
+            )
+        weighed = kind == "mass" or (not kind and "mass" in possible)
         return "force" if weighed and "force" in named else kind
 
     def _kinds_in(self, words: Sequence[str]) -> list[str]:
@@ -387,11 +358,18 @@ class Headings:
 
     def roles_of(self, name: str) -> set[str]:
         """The roles that the words of a name state, such as "inlet"."""
-        return self._roles(map(folded, split_words(name)))
+        return self._roles(split_words(name))
 
     def _roles(self, words: Iterable[str]) -> set[str]:
         rows = self.vocabulary.roles
         return {role for word in words for role, _, listed in rows if _among(word, listed)}
+
+
+def _says_absolute(unit: str, name: str) -> bool:
+    """Whether a heading states an absolute pressure: by a word, by its unit, or by a unit in its name."""
+    units = [unit, *re.split(r"[\W_]+", name)]
+    by_unit = any(pressure_reference(text)[1] == "absolute" for text in units)
+    return by_unit or any(map(_ABSOLUTE.fullmatch, split_words(name)))
 
 
 # ---- what names of files and remarks above the rows say -----------------------------------------------------------
@@ -437,7 +415,7 @@ def _muscle(stem: str, muscles: Iterable[str]) -> tuple[str, str]:
 
 
 def load_in(stem: str, weights: bool) -> tuple[str, float] | None:
-    """The mass in a name, or the weight where ``weights``, as a mass: as it is written, and [kg]; None: neither."""
+    """The mass in a name, or the weight where ``weights``, as a mass: as a text, and [kg]; None: neither."""
     for match in _LOAD.finditer(stem):
         number = (match["number"] or match["behind"]).replace(",", ".")
         unit = match["unit"] or match["first"]
@@ -445,7 +423,8 @@ def load_in(stem: str, weights: bool) -> tuple[str, float] | None:
         if unit in _MASSES:
             return quantity, parse_quantity(quantity, "kg")
         if unit in _WEIGHTS and weights:
-            return quantity, parse_quantity(quantity, "N") / parse_quantity(GRAVITY, "m/s2")
+            mass = parse_quantity(quantity, "N") / parse_quantity(GRAVITY, "m/s2")
+            return f"{mass:.6g} kg", mass
     return None
 
 
@@ -453,15 +432,10 @@ def remarks_in(lines: Iterable[str], headings: Headings) -> Iterator[Remark]:
     """Quantities that lines above the rows state, as ``load mass: 3 kg``; a force in kilograms is a mass."""
     for line in lines:
         for match in _REMARK.finditer(line):
-            unit = known_unit((match["unit"] or "").rstrip(".")) or ""
-            name = match["name"].strip(" ,;:=")
-            reading = headings.read(name, unit)
-            meaning = reading.meaning
-            if meaning is None or not (unit or reading.unit):
-                continue
+            unit = headings.known_unit((match["unit"] or "").rstrip("."))
+            reading = headings.read(match["name"].strip(" ,;:="), unit)
             written = unit or reading.unit
-            if headings.fits(written, "mass"):
-                meaning = Meaning("mass")
-            yield Remark(
-                match[0].strip(" ,;"), meaning, f"{match['number'].replace(',', '.')} {written}"
-            )
+            if reading.meaning and written:
+                meaning = meant("mass") if headings.fits(written, "mass") else reading.meaning
+                value = f"{match['number'].replace(',', '.')} {written}"
+                yield Remark(match[0].strip(" ,;"), meaning, value)

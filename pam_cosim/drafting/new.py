@@ -16,11 +16,10 @@ import numpy as np
 from pam_cosim.catalogue import vocabulary_of
 from pam_cosim.compiler import ClassTree
 from pam_cosim.drafting.benches import Bench, class_name, stated_interface, take_bench
-from pam_cosim.drafting.columns import RecordedColumn
-from pam_cosim.drafting.data_sheets import ratings
+from pam_cosim.drafting.data_sheets import opening_unit, ratings
 from pam_cosim.drafting.document import Draft, document
 from pam_cosim.drafting.entries import Mapped, map_columns, with_directions
-from pam_cosim.drafting.evidence import DraftRequests, Evidence, gather, used_in
+from pam_cosim.drafting.evidence import DraftRequests, gather
 from pam_cosim.drafting.headings import MECHANICAL, Headings
 from pam_cosim.drafting.questions import (
     NewDataSet,
@@ -33,7 +32,6 @@ from pam_cosim.drafting.questions import (
 from pam_cosim.drafting.recordings import Source
 from pam_cosim.drafting.roles import (
     Role,
-    Sigma,
     check_imposed,
     interpolation_of,
     points_draft,
@@ -42,23 +40,24 @@ from pam_cosim.drafting.roles import (
     stated_roles,
 )
 from pam_cosim.drafting.values import (
-    OpenParameters,
     StatedValue,
     check_stated,
     following,
     neutral,
     open_parameters,
-    values_told,
+    values_of_runs,
     with_full_names,
     with_length,
+    with_rated,
 )
 from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.files import is_vacant
 from pam_cosim.measurement import DataSet, read_data_set
 from pam_cosim.measurement.data_set import FILE_NAME
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_file
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import listed, shown
+from pam_cosim.wording import listed
 
 _NOT_IN_NAMES = frozenset('\\/:*?"<>|@')
 
@@ -91,33 +90,30 @@ def draft(
     _check_place(folder)
     if not files:
         raise InputError("name the recordings, as data/*.csv")
-    twice = next(
-        (f for i, f in enumerate(files) if f.resolve() in {o.resolve() for o in files[:i]}), None
-    )
-    if twice is not None:  # its samples would count twice
-        raise InputError("the file is named twice", twice)
+    for file, others in ((file, files[:i]) for i, file in enumerate(files)):
+        if file.resolve() in {other.resolve() for other in others}:
+            raise InputError("the file is named twice", file)  # its samples would count twice
     with _temporary_sibling(folder) as place:
         model = requests.model
         if model is not None and is_file(model):
             model = str(place / _copies([Path(model)], place)[0])
         interface = stated_interface(model, tree, describe)
-        headings = Headings(vocabulary_of(tree, model if interface else None))
+        opening = opening_unit(requests.valve or "")
+        headings = Headings(vocabulary_of(tree, model if interface else None), opening)
         names = {*interface.inputs, *interface.outputs} if interface else set[str]()
         evidence = gather(files, requests, headings, names)
         if evidence.points:
             evidence = replace(evidence, columns=tuple(with_directions(evidence.columns, headings)))
         requests = replace(requests, model=model)
         bench = take_bench(place, class_name(folder), requests, interface, evidence, tree, describe)
-        evidence = with_length(with_full_names(evidence, bench.interface), bench)
-        copy_of = dict(zip(files, _copies(files, place), strict=True))
+        bench = with_length(with_full_names(bench))
+        recordings = list(dict.fromkeys(evidence.files))
+        copy_of = dict(zip(recordings, _copies(recordings, place), strict=True))
         copy_of |= {
             s.file: _anew(s, copy_of[s.file], place) for s in evidence.sources if s.is_merged
         }
-        for stated in (evidence.stated, *evidence.run_parameters):
-            check_stated(stated, bench.interface)
-        drafted = _draft(
-            requests, folder, bench, evidence, [copy_of[file] for file in evidence.files]
-        )
+        check_stated(bench)
+        drafted = _draft(requests, folder, bench, [copy_of[file] for file in evidence.files])
         text = document(drafted)
         (place / FILE_NAME).write_text(text, encoding="utf-8", newline="\n")
         data = _read(place, {copy: file for file, copy in copy_of.items()}, describe)
@@ -147,112 +143,61 @@ class UnsimulatedDraft(InputError):
         super().__init__(problem.message, problem.file, problem.line, problem.column)
         self.new_data_set, self.text, self.interface = new_data_set, text, interface
 
+    def __reduce__(self) -> tuple[type, tuple[object, ...]]:
+        problem = InputError(self.message, self.file, self.line, self.column)
+        return type(self), (problem, self.new_data_set, self.text, self.interface)
 
-def _draft(
-    requests: DraftRequests, folder: Path, bench: Bench, evidence: Evidence, copies: Sequence[str]
-) -> Draft:
+
+def _draft(requests: DraftRequests, folder: Path, bench: Bench, copies: Sequence[str]) -> Draft:
     """The content of ``experiment.toml``."""
-    interface, choice, headings = bench.interface, bench.choice, evidence.headings
-    zero = "zero, for it follows from the measures that are stated"
-    follows = {n: (v, zero) for n, v in following(evidence.stated, interface).items()}
+    interface, evidence = bench.interface, bench.evidence
+    valves, areas = ratings(requests.valve or "", bench)
+    values = {name: f"{area:.6g}" for name, area in areas.items()}
     plain = "the muscle is not named: its fibres have no friction and cover nothing, unless an effect is added"
-    follows |= {n: (v, plain) for n, v in neutral(evidence, bench).items() if n not in follows}
-    valves, values = ratings(requests.valve or "", interface, headings)
-    sheet = f"the data sheet of the valves: {requests.valve}"
-    follows |= {name: (value, sheet) for name, value in values.items()}
+    follows: dict[str, tuple[str, str]] = {}
+    for found, why in (
+        (following(bench), "zero, for it follows from the measures that are stated"),
+        (neutral(bench), plain),
+        (values, f"the data sheet of the valves: {requests.valve}"),
+    ):
+        follows |= {name: (value, why) for name, value in found.items()}
     if evidence.points:
-        check_imposed(
-            choice.unfed, [{*evidence.stated, *run} for run in evidence.run_parameters], interface
-        )
-    mapped = map_columns(choice, interface, evidence, valves)
-    values_by_run = values_told(evidence, bench, mapped)
-    guessed = _guessed_roles(bench, evidence, mapped, values_by_run)
+        check_imposed(bench)
+    mapped = map_columns(bench, valves)
+    values_by_run = values_of_runs(bench, mapped)
+    guessed = _guessed_roles(bench, mapped, values_by_run)
     by_run = any(role.role == "holdout" for role in guessed) or bool(requests.roles)
-    measured = {*choice.outputs, *evidence.formulas}
-    outputs = [name for name in interface.outputs if name in measured]
-    kinds = {
-        n: meaning.kind if (meaning := headings.variable(interface.outputs[n])) else ""
-        for n in outputs
-    }
-    # A thermometer lags behind the gas of a muscle: it is compared, and nothing is fitted to it.
-    moves = bool({*kinds.values()} & {*MECHANICAL}) or any(
-        c.kind in MECHANICAL for c in choice.inputs.values()
-    )
-    only_shown = [name for name in outputs if kinds[name] == "temperature" and moves]
-    fitted = [name for name in outputs if name not in only_shown]
-    is_warm = "temperature" in kinds.values()
+    measured = {*bench.choice.outputs, *evidence.formulas}
+    outputs = {n: bench.meanings[n].kind for n in interface.outputs if n in measured}
     return Draft(
         title=requests.title or folder.resolve().name,
-        evidence=evidence,
         bench=bench,
         mapped=mapped,
         files=copies,
-        ignored=_ignored(bench, evidence, mapped),
-        sigmas={name: _sigma(name, bench, evidence, mapped) for name in fitted},
-        shown=only_shown if fitted else [],
+        ignored=_ignored(bench),
+        sigmas={name: sigma_of(name, bench, mapped.runs) for name in outputs},
         follows=follows,
         run_values=values_by_run,
-        open=_determined(open_parameters(interface, headings, evidence.points), is_warm),
+        open=with_rated(open_parameters(bench, "temperature" in outputs.values()), areas),
         roles=stated_roles(guessed, evidence.sources, requests.roles or {}),
-        interpolation=interpolation_of(_set_columns(bench, evidence), headings),
-        points=points_draft(mapped.runs, interface, evidence.files, by_run, headings)
-        if evidence.points
-        else None,
+        interpolation=interpolation_of(bench),
+        points=points_draft(mapped.runs, bench, by_run) if evidence.points else None,
         valve=requests.valve or "",
+        rated=areas,
     )
 
 
-def _determined(parameters: OpenParameters, is_warm: bool) -> OpenParameters:
-    """The parameters, of which those that act through a temperature are free only where one was recorded."""
-    free = {
-        n: v for n, v in parameters.free.items() if is_warm or "K" not in v.unit.replace("kg", "")
-    }
-    more = {n: v for n, v in parameters.free.items() if n not in free}
-    return replace(parameters, free=free, perhaps={**parameters.perhaps, **more})
-
-
 def _guessed_roles(
-    bench: Bench,
-    evidence: Evidence,
-    mapped: Mapped,
-    values_by_run: Sequence[Mapping[str, StatedValue]],
+    bench: Bench, mapped: Mapped, values_by_run: Sequence[Mapping[str, StatedValue]]
 ) -> list[Role]:
     """Which recordings are held out; none, where the length or load of a recording is unknown."""
-    mechanical = [
-        name
-        for name in bench.choice.unfed
-        if (meaning := evidence.headings.variable(bench.interface.inputs[name]))
-        and meaning.kind in MECHANICAL
-    ]
-    unknown = [
-        n
-        for n in mechanical
-        if n not in evidence.stated and not all(n in run for run in evidence.run_parameters)
-    ]
-    if unknown:
-        return [Role("fit") for _ in mapped.runs]
+    evidence = bench.evidence
+    for name in bench.choice.unfed:
+        is_stated = all(name in {**evidence.stated, **run} for run in evidence.run_parameters)
+        if bench.meanings[name].kind in MECHANICAL and not is_stated:
+            return [Role("fit") for _ in mapped.runs]
     traits = [{n: value.number for n, value in run.items()} for run in values_by_run]
     return roles(mapped.runs, bench.interface, traits)
-
-
-def _sigma(name: str, bench: Bench, evidence: Evidence, mapped: Mapped) -> Sigma:
-    if name in evidence.formulas:
-        return Sigma(
-            None, "it is of a formula of yours: the software estimates it from the samples"
-        )
-    if evidence.points:
-        return Sigma(
-            None, "the rows are points at rest: the software estimates it from neighbouring ones"
-        )
-    return sigma_of(name, bench.interface.outputs[name].unit, mapped.runs, evidence.files)
-
-
-def _set_columns(bench: Bench, evidence: Evidence) -> list[RecordedColumn]:
-    """The columns that feed inputs, as they are or by a formula."""
-    inputs = {n: text for n, text in evidence.formulas.items() if n in bench.interface.inputs}
-    names = used_in(replace(evidence, formulas=inputs))
-    fed = [c for c in bench.choice.inputs.values()]
-    return [*fed, *(c for c in evidence.columns if c.name in names)]
 
 
 _IGNORED_KINDS = {
@@ -263,31 +208,25 @@ _IGNORED_KINDS = {
 }
 
 
-def _ignored(bench: Bench, evidence: Evidence, mapped: Mapped) -> dict[str, str]:
+def _ignored(bench: Bench) -> dict[str, str]:
     """Columns that are not read, and why."""
-    used = {entry.column for entry in mapped.entries.values()} | used_in(evidence)
-    used |= {c.name for c in bench.choice.fed.values()}
+    evidence = bench.evidence
     names = {column.meaning: name for name, column in bench.choice.fed.items()}
-    remaining = [c for c in evidence.columns if c.name not in used]
     reasons: dict[str, str] = {}
     if not any(source.is_merged for source in evidence.sources):
         reasons = dict.fromkeys(evidence.recording.ignore or (), "as you state")
-        reasons |= {
-            name: "a column of text" for source in evidence.sources for name in source.texts
-        }
-    for column in remaining:
+        for source in evidence.sources:
+            reasons |= dict.fromkeys(source.texts, "a column of text")
+    for column in (c for c in evidence.columns if c.name not in bench.used):
         meaning = column.meaning
-        around = meaning is not None and (
-            meaning.kind == "mass" or bool(meaning.roles & {"ambient", "rest"})
-        )
+        around = column.kind == "mass" or not meaning.roles.isdisjoint(("ambient", "rest"))
         what = "a parameter" if around else "neither an input nor an output of this bench"
-        why = f"{meaning}, {what}"
-        if meaning is None:
+        why = _IGNORED_KINDS.get(column.kind, f"{meaning}, {what}")
+        if not meaning:
             why = "; ".join(column.why) or "it is not recognised"
-        elif meaning.kind in _IGNORED_KINDS:
-            why = _IGNORED_KINDS[meaning.kind]
-        elif meaning in names:
-            why = f"it may be {names[meaning]} instead; --column {names[meaning]}='{column.name}' selects it"
+        elif meaning in names and column.kind not in _IGNORED_KINDS:
+            name = names[meaning]
+            why = f"it may be {name} instead; --column {name}='{column.name}' selects it"
         reasons[column.name] = why
     return reasons
 
@@ -327,15 +266,12 @@ def _without_detour(folder: Path) -> Path:
 
 def _check_place(folder: Path) -> None:
     """Raises InputError where there is something already, or nothing can be made."""
-    try:
-        if folder.is_symlink() or (folder.exists() and not folder.is_dir()):
-            raise InputError("this is no folder; name a new one for the data set", folder)
-        if folder.is_dir() and any(folder.iterdir()):
-            raise InputError(
-                "the folder is not empty, and nothing is overwritten; name a new one", folder
-            )
-    except OSError as error:
-        raise InputError(f"the folder cannot be used: {error.strerror}", shown(folder)) from None
+    if is_vacant(folder) and not folder.is_symlink():
+        return
+    what = "this is no folder"
+    if folder.is_dir() and not folder.is_symlink():
+        what = "the folder is not empty, and nothing is overwritten"
+    raise InputError(f"{what}; name a new one for the data set", folder)
 
 
 @contextmanager

@@ -16,8 +16,7 @@ from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn, scaling
 from pam_cosim.drafting.data_sheets import EXAMPLES
 from pam_cosim.drafting.document import Draft, bounds
 from pam_cosim.drafting.entries import ABSOLUTE_GAUGE, LONGEST, SENSES, ColumnEntry, readings_of
-from pam_cosim.drafting.evidence import used_in
-from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, Meaning, meant
+from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, PRESSURE, SET_PRESSURE, meant
 from pam_cosim.drafting.shapes import begins_still, span
 from pam_cosim.drafting.values import is_geometry
 from pam_cosim.measurement import DataSet
@@ -101,16 +100,15 @@ def guesses(draft: Draft) -> tuple[Guess, ...]:
     rows = [_of_column(name, entry, columns.get(name), draft) for name, entry in entries]
     rows += [Guess(name, "not read", why) for name, why in draft.ignored.items()]
     for reason in dict.fromkeys(why for _, why in draft.follows.values()):
-        names = {n: value for n, (value, why) in draft.follows.items() if why == reason}
-        rows.append(Guess(", ".join(names), ", ".join(names.values()), f"guessed: {reason}"))
+        values = {n: value for n, (value, why) in draft.follows.items() if why == reason}
+        rows.append(Guess(", ".join(values), ", ".join(values.values()), f"guessed: {reason}"))
     for name, sigma in draft.sigmas.items():
         unit = draft.interface.outputs[name].unit
         noise = "left out" if sigma.value is None else format_quantity(sigma.value, unit)
         rows.append(Guess(f"sigma of {name}", noise, f"guessed: {sigma.why}"))
-    for file, role in zip(draft.recordings, draft.roles, strict=True):
-        if role.why:
-            rows.append(Guess(file, role.role, f"guessed: {role.why}"))
-    for i, file in enumerate(draft.recordings if draft.points else ()):
+    named = list(zip(draft.recordings, draft.roles, strict=True))
+    rows += [Guess(f, role.role, f"guessed: {role.why}") for f, role in named if role.why]
+    for i, (file, _) in enumerate(named if draft.points else ()):
         rows += _of_points(draft, i, file)
     return tuple(rows)
 
@@ -173,19 +171,9 @@ def questions(draft: Draft) -> tuple[str, ...]:
     return tuple(sentence for question in topics for sentence in question(draft))
 
 
-def _meanings(draft: Draft) -> dict[str, Meaning | None]:
-    variables = {**draft.interface.inputs, **draft.interface.outputs}
-    return {n: draft.evidence.headings.variable(v) for n, v in variables.items()}
-
-
-def _used(draft: Draft) -> set[str]:
-    """The columns that are read, also in a formula."""
-    return {c.name for c in draft.bench.choice.fed.values()} | used_in(draft.evidence)
-
-
 def _what_holds_it(draft: Draft) -> Iterator[str]:
     """Whether the load end hangs, is sprung or is held, where the recordings do not determine that."""
-    meanings, choice = _meanings(draft), draft.bench.choice
+    choice = draft.bench.choice
     recorded = {c.kind for c in draft.evidence.signals}
     for name, column in choice.moving_lengths.items():
         if draft.points is None and choice.freer:
@@ -200,7 +188,7 @@ def _what_holds_it(draft: Draft) -> Iterator[str]:
             f"{choice.inputs[forces[0]].name} is the reading of a load cell, name the bench, --model NAME "
             "('pam-cosim bench --list')"
         )
-    has_body = any(meaning and meaning.kind in MECHANICAL for meaning in meanings.values())
+    has_body = any(meaning.kind in MECHANICAL for meaning in draft.bench.meanings.values())
     if draft.bench.why and not recorded & set(MECHANICAL) and not draft.points and not has_body:
         yield (
             "neither a length nor a force was recorded, so that this is taken for a vessel of fixed volume: if it "
@@ -215,9 +203,8 @@ def _what_drives_it(draft: Draft) -> Iterator[str]:
         description = draft.interface.inputs[name].description
         hint = f"--parameter '{name}=...', --column {name}=..., or of each file --parameter {name}@FILE=..."
         yield f"no column and no line of the files states the input {name} ({description}): {hint}"
-    volts = [
-        c for c in draft.evidence.columns if c.kind == "voltage" and c.name not in _used(draft)
-    ]
+    unused = [c for c in draft.evidence.columns if c.name not in draft.bench.used]
+    volts = [c for c in unused if c.kind == "voltage"]
     for column in volts:
         roles = draft.evidence.headings.roles_of(column.name)
         valve = "u_out" if "exhaust" in roles else "u_in" if "inlet" in roles else ""
@@ -244,11 +231,7 @@ def _what_drives_it(draft: Draft) -> Iterator[str]:
 
 def _valve_data(draft: Draft) -> Iterator[str]:
     """Calibrations of valves, which a data sheet states."""
-    names = [
-        n
-        for n in draft.open.free
-        if not draft.is_known(n) and "area" in draft.open.free[n].description
-    ]
+    names = [n for n, v in draft.free.items() if "area" in v.description]
     if names and not draft.valve:
         yield (
             f"flow area of the valves: {listed(names)} is free; where a data sheet states the area or the nominal flow "
@@ -257,20 +240,18 @@ def _valve_data(draft: Draft) -> Iterator[str]:
 
 
 def _which_muscle(draft: Draft) -> Iterator[str]:
-    name = next((n for n in draft.open.to_state if n.endswith(".L0")), "")
-    stated = {*draft.evidence.stated, *(n for run in draft.evidence.run_parameters for n in run)}
-    if draft.bench.muscle or not any(
-        n.rpartition(".")[2] == "L0" for n in draft.interface.parameters
-    ):
+    bench = draft.bench
+    length = [measure for measure, _ in bench.headings.vocabulary.measures][:1]
+    names = [n for n in draft.interface.parameters if n.rpartition(".")[2] in length]
+    is_ready = not bench.why and not bench.composed
+    if not names or bench.muscle or is_ready or {*names} & {*draft.evidence.stated_names}:
         return
-    if not draft.bench.why and not draft.bench.composed:
-        return
-    if not any(n.rpartition(".")[2] == "L0" for n in stated):
-        yield (
-            "the muscle is not stated: the bench's default is used without the friction of its fibres; add "
-            "--muscle DMSP-20-300 (type and length in mm; 'pam-cosim bench --list' has the types)"
-            + (f", or its measures, --parameter '{name}=250 mm' and more" if name else "")
-        )
+    name = next((n for n in names if n in draft.open.to_state), "")
+    more = f", or its measures, --parameter '{name}=250 mm' and more" if name else ""
+    yield (
+        "the muscle is not stated: the bench's default is used without the friction of its fibres; add --muscle "
+        f"DMSP-20-300 (type and length in mm; 'pam-cosim bench --list' has the types){more}"
+    )
 
 
 def _geometry(draft: Draft) -> Iterator[str]:
@@ -296,7 +277,8 @@ def _rows_at_rest(draft: Draft) -> Iterator[str]:
 
 def _clocks(draft: Draft) -> Iterator[str]:
     """Files of several clocks, and how long a recording lasts by a guessed unit of time."""
-    merged = [s.file.name for s in draft.evidence.sources if s.is_merged]
+    sources = [s for s in draft.evidence.sources if s.is_merged]
+    merged = [" with ".join(f.name for f in (s.file, *s.loggers)) for s in sources]
     if merged:
         yield (
             f"{listed(merged)}: several clocks, of one zero as it is taken; every time of any has a row of its own in "
@@ -334,11 +316,9 @@ def _markers(draft: Draft) -> Iterator[str]:
 
 def _pressures(draft: Draft) -> Array:
     """Every pressure in the muscle, or the set points, that was recorded."""
-    meanings = _meanings(draft)
-    wanted = (meant("pressure"), meant("pressure", "set"))
-    return readings_of(
-        draft.mapped, [n for kind in wanted for n, meaning in meanings.items() if meaning == kind]
-    )
+    wanted = (PRESSURE, SET_PRESSURE)
+    names = [n for kind in wanted for n, meaning in draft.bench.meanings.items() if meaning == kind]
+    return readings_of(draft.mapped, names)
 
 
 def _never_at_rest(draft: Draft) -> Iterator[str]:
@@ -359,18 +339,14 @@ def _never_at_rest(draft: Draft) -> Iterator[str]:
 
 def below_zero(draft: Draft) -> Iterator[tuple[str, float, str]]:
     """Contractions of which a muscle would be far longer than at rest: signal, least value, and what to type."""
-    for name, meaning in _meanings(draft).items():
+    fed = draft.bench.choice.fed.items() if draft.points is None else ()
+    for name, column in fed:
         values = readings_of(draft.mapped, [name])
-        if (
-            meaning != Meaning("contraction")
-            or draft.points
-            or name in draft.evidence.formulas
-            or not values.size
-        ):
+        if draft.bench.meanings[name] != meant("contraction") or not values.size:
             continue
         least = float(np.nanmin(values))
         if least < -CRITERIA.starts.offset * span(values):
-            column, far = draft.bench.choice.fed[name], format_quantity(-least, "m")
+            far = format_quantity(-least, "m")
             term = column.name if column.name.isidentifier() else f"'{column.name}'"
             term += "" if column.stated else f' * "1 {column.unit}"'
             turned = (draft.mapped.entries[name].formula or "").startswith("-")
@@ -392,7 +368,7 @@ def _absolute(draft: Draft) -> Iterator[str]:
     absolute = [e.name for e in entries.values() if any(ABSOLUTE_GAUGE in why for why in e.why)]
     supplies = [
         n
-        for n, meaning in _meanings(draft).items()
+        for n, meaning in draft.bench.meanings.items()
         if meaning == meant("pressure", "supply") and n in entries
     ]
     for name in supplies if absolute else ():
@@ -420,7 +396,7 @@ def _angles(draft: Draft) -> Iterator[str]:
     """Angles that are not read, as of a pulley; directions of which no word is known."""
     lengths = any(c.kind in LENGTHS for c in draft.bench.choice.fed.values())
     for column in draft.evidence.columns:
-        if column.kind == "angle" and not lengths and column.name not in _used(draft):
+        if column.kind == "angle" and not lengths and column.name not in draft.bench.used:
             yield (
                 f"{column.name} is an angle: if the load hangs on a pulley, state its radius, as in --column "
                 f"{scaling('x', column.name, '20 mm/rad')}"
@@ -458,7 +434,7 @@ def _runs(draft: Draft) -> Iterator[str]:
 
 
 def _free(draft: Draft) -> Iterator[str]:
-    free = [name for name in draft.open.free if not draft.is_known(name)]
+    free = list(draft.free)
     if free:
         yield f"free for the fit, since they are not calibrated: {listed(free)}"
     elif draft.open.perhaps:
@@ -472,10 +448,10 @@ def _free_example(interface: Interface) -> str:
     for name, v in interface.parameters.items():
         if v.kind == "Real" and v.start:
             low, high = sorted((v.start / 2, 2 * v.start))
-            limited = replace(v, min=max(low, _or(v.min, low)), max=min(high, _or(v.max, high)))
+            low, high = (
+                (low if v.min is None else max(v.min, low)),
+                (high if v.max is None else min(v.max, high)),
+            )
+            limited = replace(v, min=low, max=high)
             return f"write under [fit] what a fit may change, such as {bounds(name, limited)}"
     return "the model has no parameter that a fit can change"
-
-
-def _or(limit: float | None, other: float) -> float:
-    return other if limit is None else limit

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from pathlib import Path
@@ -58,6 +58,7 @@ class Source:
         words: of the columns whose cells are words for directions: the words by heading. Their numbers in the table are
             places in that list.
         remarks: lines above the rows, and numbers of a file that are no columns, as texts.
+        loggers: files of other loggers, whose columns it has too.
         is_merged: its rows are not those of the file, which has several clocks: it is written again.
     """
 
@@ -69,12 +70,18 @@ class Source:
     clocks: tuple[str, ...] = ()
     part: Part | None = None
     remarks: tuple[str, ...] = ()
+    loggers: tuple[Path, ...] = ()
     is_merged: bool = False
 
     @property
     def name(self) -> str:
         """Name of the run, unless files are renamed."""
         return self.file.stem if self.part is None else f"{self.file.stem} part {self.part.number}"
+
+    @property
+    def count(self) -> int:
+        """How many rows it has."""
+        return len(next(iter(self.table.columns.values())).values)
 
 
 def places_of(name: str, sources: Sequence[Source], option: str = "") -> list[int]:
@@ -89,10 +96,8 @@ def places_of(name: str, sources: Sequence[Source], option: str = "") -> list[in
         if any(matches(label, name) for label in (source.name, source.file.stem, source.file.name))
     ]
     if not called:
-        names = [source.name for source in sources]
-        raise InputError(
-            f"{option}there is no recording {shown(name)}; {did_you_mean(name, names)}"
-        )
+        hint = did_you_mean(name, [source.name for source in sources])
+        raise InputError(f"{option}there is no recording {shown(name)}; {hint}")
     return called
 
 
@@ -103,15 +108,11 @@ def recording_table(settings: Mapping[str, object]) -> RecordingTable:
         InputError: there is no such key, or its value cannot be used.
     """
     keys = [name for name in RecordingTable.model_fields if name != "resample"]
-    for name in settings:
-        if name not in keys:
-            raise InputError(
-                f"there is no key {shown(name)} of [recording]; {did_you_mean(name, keys)}"
-            )
+    for name in (name for name in settings if name not in keys):
+        hint = did_you_mean(name, keys)
+        raise InputError(f"there is no key {shown(name)} of [recording]; {hint}")
     try:
-        return RecordingTable.model_validate(
-            {n: _setting(n, value) for n, value in settings.items()}
-        )
+        return RecordingTable.model_validate({n: _setting(n, v) for n, v in settings.items()})
     except ValidationError as error:
         problem = error.errors(include_url=False)[0]
         raise InputError(
@@ -139,16 +140,63 @@ def read_sources(files: Sequence[Path], stated: RecordingTable, headings: Headin
     """
     layout = stated.layout()
     layout = replace(layout, missing=layout.missing.union(MISSING))
-    texts = [_texts(file, layout) for file in files]
-    words = _directions(texts, headings)
-    return [_source(f, layout, t, words, headings) for f, t in zip(files, texts, strict=True)]
+    with _options_in_messages():
+        texts = [text_columns(file, layout) if is_text(file) else {} for file in files]
+        words = _directions(texts, headings)
+        pairs = zip(files, texts, strict=True)
+        return with_loggers([_source(f, layout, t, words, headings) for f, t in pairs], headings)
 
 
-def _texts(file: Path, layout: Layout) -> dict[str, tuple[str, ...]]:
-    try:
-        return text_columns(file, layout) if is_text(file) else {}
-    except InputError as error:
-        raise _with_hint(error) from None
+def with_loggers(sources: list[Source], headings: Headings) -> list[Source]:
+    """The recordings, of which files of several loggers are one for each run.
+
+    Their names have the same numbers, and but for the time they have no column of each other: ``daq-01`` and
+    ``camera-01``.
+    """
+    loggers: dict[str, dict[str, Source]] = {}
+    for source in sources:
+        runs = loggers.setdefault(re.sub(r"\d+", "#", source.file.stem), {})
+        runs["-".join(re.findall(r"\d+", source.file.stem))] = source
+    first, *others = loggers.values()
+    heads = [
+        {
+            n
+            for s in runs.values()
+            for n, c in s.table.columns.items()
+            if not headings.says_time(n, c.unit)
+        }
+        for runs in loggers.values()
+    ]
+    apart = sum(map(len, heads)) == len(set().union(*heads))
+    if (
+        not others
+        or "" in first
+        or not apart
+        or any(runs.keys() != first.keys() for runs in others)
+    ):
+        return sources
+    return [_beside(source, [runs[run] for runs in others]) for run, source in first.items()]
+
+
+def _beside(first: Source, others: Sequence[Source]) -> Source:
+    """A recording with the columns of other loggers, each behind its clock."""
+    columns, rows = dict(first.table.columns), max(source.count for source in (first, *others))
+    for source in others:
+        logger = " ".join(re.findall(r"[^\W\d_]+", source.file.stem))
+        for name, column in source.table.columns.items():
+            called = f"{logger} {name}" if name in columns else name
+            columns[called] = replace(column, name=called, heading=called, place=len(columns))
+    for name, column in columns.items():
+        values = np.append(column.values, np.full(rows - len(column.values), np.nan))
+        columns[name] = replace(column, values=values)
+    return replace(
+        first,
+        table=replace(first.table, columns=columns, lines=None),
+        texts=tuple(text for source in (first, *others) for text in source.texts),
+        remarks=tuple(remark for source in (first, *others) for remark in source.remarks),
+        loggers=tuple(source.file for source in others),
+        is_merged=True,
+    )
 
 
 def _directions(
@@ -158,8 +206,7 @@ def _directions(
     words: dict[str, tuple[str, ...]] = {}
     for heading in dict.fromkeys(heading for t in texts for heading in t):
         cells = tuple(dict.fromkeys(c.casefold() for t in texts for c in t.get(heading, ())))
-        meaning = headings.read(heading, "").meaning
-        named = meaning is not None and meaning.kind == "direction"
+        named = headings.read(heading, "").meaning.kind == "direction"
         if len(cells) <= _MOST_WORDS and (named or all(map(headings.direction_word, cells))):
             words[heading] = cells
     return words
@@ -175,30 +222,23 @@ def _source(
     left_out = [h for h, cells in texts.items() if h not in words and not are_switch_words(cells)]
     file_words = {heading: cells for heading, cells in words.items() if heading in texts}
     codes = {h: {cell: float(i) for i, cell in enumerate(cells)} for h, cells in file_words.items()}
-    try:
-        table = read_table(file, replace(layout, ignore=(*layout.ignore, *left_out), words=codes))
-    except InputError as error:
-        raise _with_hint(error) from None
-    labels = tuple(texts[heading][0] for heading in left_out if len(texts[heading]) == 1)
-    clocks = tuple(
-        heading
-        for heading in left_out
-        if layout.keeps(heading, heading)
+    table = read_table(file, replace(layout, ignore=(*layout.ignore, *left_out), words=codes))
+    clocks = [
+        h
+        for h in left_out
+        if layout.keeps(h, h)
         and (
-            all(map(says_time_of_day, texts[heading]))
-            or headings.says_time(*(split_heading(heading) or (heading, "")))
+            all(map(says_time_of_day, texts[h])) or headings.says_time(*(split_heading(h) or (h,)))
         )
-    )
-    remarks = _remarks(file, layout, table)
+    ]
     return Source(
         file,
         with_clocks_going_on(table),
-        tuple(left_out),
-        file_words,
-        labels,
-        clocks,
-        None,
-        remarks,
+        texts=tuple(left_out),
+        words=file_words,
+        labels=tuple(texts[h][0] for h in left_out if len(texts[h]) == 1),
+        clocks=tuple(clocks),
+        remarks=_remarks(file, layout, table),
     )
 
 
@@ -217,16 +257,21 @@ def _remarks(file: Path, layout: Layout, table: Table) -> tuple[str, ...]:
     return tuple(line.strip(" #%\t") for line in dict.fromkeys([*marked, *above]))
 
 
-def _with_hint(error: InputError) -> InputError:
-    """The error with the option of this command for a key of ``[recording]``."""
-    here = ""
-    if "header is missing" in error.message:
-        here = " (here: --recording 'names=time [s],p [kPa]', a name for each column)"
-    elif "[recording]" in error.message:
-        key = _STATED.search(error.message)
-        setting = shown(f"{key[1]}={key[2] or key[3]}") if key else "KEY=VALUE"
-        here = f" (here: --recording {setting})"
-    return InputError(f"{error.message}{here}", error.file, error.line, error.column)
+@contextmanager
+def _options_in_messages() -> Iterator[None]:
+    """Adds to an error the option of this command for a key of ``[recording]``."""
+    try:
+        yield
+    except InputError as error:
+        here = ""
+        if "header is missing" in error.message:
+            here = " (here: --recording 'names=time [s],p [kPa]', a name for each column)"
+        elif "[recording]" in error.message:
+            key = _STATED.search(error.message)
+            setting = shown(f"{key[1]}={key[2] or key[3]}") if key else "KEY=VALUE"
+            here = f" (here: --recording {setting})"
+        message = f"{error.message}{here}"
+        raise InputError(message, error.file, error.line, error.column) from None
 
 
 # ---- files in which the time restarts: several experiments that a logger wrote into one file -------------------------
@@ -244,23 +289,18 @@ def in_parts(sources: Sequence[Source], name: str, unit: str) -> list[Source]:
 
 
 def _parts_of(source: Source, name: str, unit: str) -> list[Source]:
-    if name not in source.table.columns:
+    column = source.table.columns.get(name)
+    first = _first_rows(column.values) if column else [0]
+    if column is None or len(first) < 2:
         return [source]
-    time = source.table.columns[name].values
-    first = _first_rows(time)
-    if len(first) < 2:
-        return [source]
-    goes_on = going_on(time, "split")
-    middle = [float(convert(goes_on[k - 1 : k + 1].mean(), unit, "s")) for k in first[1:]]
-    borders = [None, *middle, None]
-    column = replace(source.table.columns[name], values=goes_on)
-    table = replace(source.table, columns={**source.table.columns, name: column})
-    rows = pairwise([*first, len(time)])
+    time = going_on(column.values, "split")
+    middle = [float(convert(time[k - 1 : k + 1].mean(), unit, "s")) for k in first[1:]]
+    columns = {**source.table.columns, name: replace(column, values=time)}
+    table = replace(source.table, columns=columns)
+    rows, borders = pairwise([*first, len(time)]), pairwise([None, *middle, None])
     return [
-        replace(
-            source, table=table.rows(slice(*ends)), part=Part(k + 1, borders[k], borders[k + 1])
-        )
-        for k, ends in enumerate(rows)
+        replace(source, table=table.rows(slice(*ends)), part=Part(number, *between))
+        for number, (ends, between) in enumerate(zip(rows, borders, strict=True), 1)
     ]
 
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.drafting.columns import RecordedColumn
+from pam_cosim.drafting.benches import Bench
+from pam_cosim.drafting.columns import names_in
 from pam_cosim.drafting.entries import SENSES, MappedRun
 from pam_cosim.drafting.headings import Headings, split_words
 from pam_cosim.drafting.recordings import Source, places_of
@@ -28,7 +29,7 @@ from pam_cosim.measurement.curves import ROWS_PER_CURVE, ROWS_PER_LEVEL, curves,
 from pam_cosim.measurement.markers import marker_of
 from pam_cosim.measurement.points import CONTRACTS, VALUE_TOLERANCE
 from pam_cosim.measurement.run_names import patterns_first
-from pam_cosim.model.interface import Interface
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import BRANCH
 from pam_cosim.units import format_quantity, readable_unit
 from pam_cosim.wording import shown
@@ -91,20 +92,21 @@ def roles(
     scaled = np.array([(v - v.min()) / span(v) for _, v in traits.values()]).T
     fitted = list(range(len(runs)))
     for _ in range(max(1, round(_HELD_OUT_SHARE * len(runs)))):
-        other_traits = {i: scaled[[k for k in fitted if k != i]] for i in fitted}
-        outside = {
-            i: np.maximum(o.min(axis=0) - scaled[i], 0.0) + np.maximum(scaled[i] - o.max(axis=0), 0.0)
-            for i, o in other_traits.items()
-        }  # fmt: skip
-        apart = {i: np.abs(o - scaled[i]) for i, o in other_traits.items()}
-        nearest = {i: a[int(np.argmin((a**2).sum(axis=1)))] for i, a in apart.items()}
-        chosen = min(fitted, key=lambda i: (outside[i].sum().round(9), -float((nearest[i]**2).sum()), i))  # fmt: skip
+        outside, apart = {}, {}
+        for i in fitted:
+            others = scaled[[k for k in fitted if k != i]]
+            low, high = others.min(axis=0) - scaled[i], scaled[i] - others.max(axis=0)
+            outside[i] = np.maximum(low, 0.0) + np.maximum(high, 0.0)
+            apart[i] = min(np.abs(others - scaled[i]), key=lambda away: float(away @ away))
+        chosen = min(
+            fitted, key=lambda i: (outside[i].sum().round(9), -float(apart[i] @ apart[i]), i)
+        )
         fitted.remove(chosen)
         within = not outside[chosen].any()
-        name = list(traits)[int(np.argmax(nearest[chosen] if within else outside[chosen]))]
+        name = list(traits)[int(np.argmax((apart if within else outside)[chosen]))]
         unit, values = traits[name]
-        ends = float(values[chosen]), float(np.min(values[fitted])), float(np.max(values[fitted]))
-        level, *span_of = (format_quantity(v, unit) for v in ends)
+        ends = values[chosen], values[fitted].min(), values[fitted].max()
+        level, *span_of = (format_quantity(float(v), unit) for v in ends)
         how = "no recording lies within the range of the others, and this one exceeds it least"
         if within:
             how = "it lies within the range of the fitted runs and differs from each"
@@ -121,14 +123,11 @@ def _traits(
     for name in dict.fromkeys(name for run in runs for name in run.signals):
         unit = variables[name].unit
         read = [run.signals.get(name, np.full(1, np.nan)) for run in runs]
-        kept = [samples[np.isfinite(samples)] for samples in read]
-        means = [float(np.mean(v)) if v.size else np.nan for v in kept]
-        paces = [
-            _travel(samples) / (float(np.ptp(run.time)) or np.inf)
-            for samples, run in zip(read, runs, strict=True)
-        ]
-        traits[f"mean of {name}"] = unit, np.array(means)
-        if not all(is_constant(samples) for samples in read):
+        means = np.array([np.nanmean(v) if np.isfinite(v).any() else np.nan for v in read])
+        traits[f"mean of {name}"] = unit, means
+        if not all(map(is_constant, read)):
+            lasting = [float(np.ptp(run.time)) or np.inf for run in runs]
+            paces = np.array([_travel(v) for v in read]) / lasting
             traits[f"pace of {name}"] = f"{unit}/s", np.where(np.isnan(means), np.nan, paces)
     for name in dict.fromkeys(name for values in run_values for name in values):
         constants = np.array([values.get(name, np.nan) for values in run_values])
@@ -165,11 +164,14 @@ def stated_roles(
 # ---- conventions of a logger: between samples, and noise -------------------------------------------------------------
 
 
-def interpolation_of(columns: Sequence[RecordedColumn], headings: Headings) -> str:
+def interpolation_of(bench: Bench) -> str:
     """``previous`` where what is imposed keeps its value between steps, in any file: a logger has one way for all."""
-    read = headings.with_trait("counted")
-    for column in columns:
-        is_read = column.kind in read and not (column.meaning and "set" in column.meaning.roles)
+    read = bench.headings.with_trait("counted")
+    formulas = [t for n, t in bench.evidence.formulas.items() if n in bench.interface.inputs]
+    names = {name for text in formulas for name in names_in(text)}
+    in_formulas = [c for c in bench.evidence.columns if c.name in names]
+    for column in (*bench.choice.inputs.values(), *in_formulas):
+        is_read = column.kind in read and "set" not in column.meaning.roles
         for values in column.values.values():
             keeps = is_held(values) and (is_repeated(values) or not is_read)
             if column.logged_on_change or keeps or is_switch(values):
@@ -177,20 +179,23 @@ def interpolation_of(columns: Sequence[RecordedColumn], headings: Headings) -> s
     return "linear"
 
 
-def sigma_of(name: str, unit: str, runs: Sequence[MappedRun], files: Sequence[Path]) -> Sigma:
+def sigma_of(name: str, bench: Bench, runs: Sequence[MappedRun]) -> Sigma:
     """The median over the recordings, each of its longest rest."""
+    unit, estimated = bench.signals[name].unit, "the software estimates it from"
+    if name in bench.evidence.formulas:
+        return Sigma(None, f"it is of a formula of yours: {estimated} the samples")
+    if bench.evidence.points:
+        return Sigma(None, f"the rows are points at rest: {estimated} neighbouring ones")
     estimates = []
-    for run, file in zip(runs, files, strict=True):
-        values = run.outputs.get(name)
-        if values is None or not run.rests:
-            continue
-        longest = max(run.rests, key=lambda r: r.count)
-        sigma, step = noise_at_rest(run.time, values, longest)
-        if sigma > 0.0:
-            estimates.append((sigma, step, longest, run, file))
+    for run, file in zip(runs, bench.evidence.files, strict=True):
+        rest = max(run.rests, key=lambda r: r.count, default=None)
+        if rest is not None and name in run.outputs:
+            sigma, step = noise_at_rest(run.time, run.outputs[name], rest)
+            if sigma > 0.0:
+                estimates.append((sigma, step, rest, run, file))
     if not estimates:
-        return Sigma(None, f"{_why_none(name, runs)}: the software estimates it from the samples")
-    value = float(np.median([e[0] for e in estimates]))
+        return Sigma(None, f"{_why_none(name, runs)}: {estimated} the samples")
+    value = float(np.median([sigma for sigma, *_ in estimates]))
     _, step, longest, run, file = max(estimates, key=lambda e: e[2].count)
     first, last = (round(float(run.time[i]), 3) for i in (longest.start, longest.stop - 1))
     where = f"from {first:.15g} s to {last:.15g} s of {file.name}, where nothing moves"
@@ -212,55 +217,42 @@ def _why_none(name: str, runs: Sequence[MappedRun]) -> str:
 # ---- points at rest: which way the muscle went, and rows that are held out -------------------------------------------
 
 
-def check_imposed(
-    unfed: Sequence[str], stated: Sequence[Collection[str]], interface: Interface
-) -> None:
-    """Checks that every imposed input has a value in each row.
-
-    Args:
-        unfed: inputs without a column, and without a value in the names of the files.
-        stated: by recording, names of the values that the user states.
-        interface: of the bench.
+def check_imposed(bench: Bench) -> None:
+    """Checks that every imposed input of points at rest has a value in each row.
 
     Raises:
         InputError: an imposed input has no value; the message names the option that states it.
     """
-    missing = [name for name in unfed if not all(name in names for names in stated)]
-    if missing:
-        variable = interface.inputs[missing[0]]
+    evidence = bench.evidence
+    for name in (n for n in bench.choice.unfed if n not in evidence.stated):
+        if all(name in values for values in evidence.run_parameters):
+            continue
+        variable = bench.interface.inputs[name]
         unit = {"Pa": "kPa", "m": "mm"}.get(variable.unit, readable_unit(variable.unit))
         what = variable.description[:1].lower() + variable.description[1:]
-        name = variable.name
-        say = f"--parameter '{name}=0 {unit}' for all rows, or --parameter '{name}@FILE=0 {unit}' for each file"
         raise InputError(
-            f"neither a column nor a file's name states the {what} ({name}); state it: {say}"
+            f"neither a column nor a file's name states the {what} ({name}); state it: --parameter '{name}=0 {unit}' "
+            f"for all rows, or --parameter '{name}@FILE=0 {unit}' for each file"
         )
 
 
-def points_draft(
-    runs: Sequence[MappedRun],
-    interface: Interface,
-    files: Sequence[Path],
-    by_run: bool,
-    headings: Headings,
-) -> PointsDraft:
+def points_draft(runs: Sequence[MappedRun], bench: Bench, by_run: bool) -> PointsDraft:
     """Directions by the names of the files or the order of the rows where no column has them, and rows to hold out.
 
     Args:
         runs: tables.
-        interface: of the bench.
-        files: of the runs.
+        bench: of the runs.
         by_run: whole recordings are held out.
-        headings: with the words for directions.
     """
-    units = {name: variable.unit for name, variable in interface.inputs.items()}
+    inputs = bench.interface.inputs
     rows = [_imposed(run) for run in runs]
     branch = [""] * len(runs)
     if not any(BRANCH in run.inputs for run in runs):
-        branch = _in_names(files, headings) or _by_order([_ways(inputs, units) for inputs in rows])
+        in_names = _in_names(bench.evidence.files, bench.headings)
+        branch = in_names or _by_order([_ways(values, inputs) for values in rows])
     hold_out: list[dict[str, list[str]]] = [
-        {} if by_run else _held_out(inputs, run.outputs, interface)
-        for inputs, run in zip(rows, runs, strict=True)
+        {} if by_run else _held_out(values, run.outputs, inputs)
+        for values, run in zip(rows, runs, strict=True)
     ]
     return PointsDraft(tuple(branch), tuple(hold_out))
 
@@ -269,22 +261,21 @@ def _in_names(files: Sequence[Path], headings: Headings) -> list[str]:
     """up or down for each file, where every name states one of them and both occur; else none."""
     words = [[word for word in split_words(file.stem) if len(word) > 1] for file in files]
     ways = [set(map(headings.direction_word, file_words)) - {0} for file_words in words]
-    if not all(len(way) == 1 for way in ways) or len(set[int]().union(*ways)) != 2:
-        return []
-    return [SENSES[way.pop()] for way in ways]
+    is_clear = all(len(way) == 1 for way in ways) and len(set[int]().union(*ways)) == 2
+    return [SENSES[sense] for way in ways for sense in way] if is_clear else []
 
 
-def _ways(inputs: Mapping[str, Array], units: Mapping[str, str]) -> Array:
+def _ways(inputs: Mapping[str, Array], variables: Mapping[str, Variable]) -> Array:
     """(n,) 1 or -1 by the order of the rows, 0 where the order has no direction."""
-    first = [name for unit in CONTRACTS for name in inputs if units[name] == unit]
+    first = [name for unit in CONTRACTS for name in inputs if variables[name].unit == unit]
     return directions(inputs, first)[0] if first else np.zeros(1)
 
 
 def _by_order(senses: Sequence[Array]) -> list[str]:
     """ "order" where rows go up and come back, in a file or from one to another; "" for all where they do not."""
-    common = {int(np.sign(s[0])) for s in senses if len(s) and bool((s == s[0]).all())}
+    whole = {float(s[0]) for s in senses if len(s) and np.ptp(s) == 0.0}
     returns = any(min(np.sum(s > 0), np.sum(s < 0)) >= ROWS_PER_CURVE for s in senses)
-    if not (common >= {1, -1} or returns):
+    if not (whole >= {1.0, -1.0} or returns):
         return [""] * len(senses)
     return ["order" if s.any() else "none" for s in senses]
 
@@ -297,23 +288,23 @@ def _imposed(run: MappedRun) -> dict[str, Array]:
 
 
 def _held_out(
-    inputs: Mapping[str, Array], outputs: Mapping[str, Array], interface: Interface
+    inputs: Mapping[str, Array], outputs: Mapping[str, Array], variables: Mapping[str, Variable]
 ) -> dict[str, list[str]]:
     """Values of the input with the most levels, within the span of the others; none where there are few levels."""
     count = len(next(iter(inputs.values())))
     branches = curves(inputs, {n: v for n, v in outputs.items() if len(v) == count})
-    along = branches[0].along
-    least = dict.fromkeys(branches[0].at, _LEVELS_TO_HOLD_OUT) | {along: _POINTS_TO_HOLD_OUT}
-    if len(branches) > 1:
-        least[along] = _LEVELS_TO_HOLD_OUT
+    least = dict.fromkeys([*branches[0].at, branches[0].along], _LEVELS_TO_HOLD_OUT)
+    if len(branches) == 1:
+        least[branches[0].along] = _POINTS_TO_HOLD_OUT
     levels_by_input = {name: _levels(inputs[name]) for name in least}
-    able = {name: values for name, values in levels_by_input.items() if len(values) >= least[name]}
+    able = [name for name, values in levels_by_input.items() if len(values) >= least[name]]
     if not able:
         return {}
-    name, values = max(able.items(), key=lambda one: len(one[1]))
-    count = max(1, round(_HELD_OUT_SHARE * len(values)))
-    places = np.round(np.linspace(0, len(values) - 1, count + 2)[1:-1]).astype(int)
-    return {name: [text_of(values[i], interface.inputs[name].unit) for i in places]}
+    name = max(able, key=lambda name: len(levels_by_input[name]))
+    values, unit = levels_by_input[name], variables[name].unit
+    held_out = max(1, round(_HELD_OUT_SHARE * len(values)))
+    places = np.round(np.linspace(0, len(values) - 1, held_out + 2)[1:-1]).astype(int)
+    return {name: [text_of(values[i], unit) for i in places]}
 
 
 def _levels(values: Array) -> list[float]:
@@ -326,9 +317,7 @@ def _levels(values: Array) -> list[float]:
     number = levels(values)
     if number is None:
         return []
-    groups = [values[number == k] for k in range(int(number.max(initial=0)) + 1)]
+    groups = [values[number == k] for k in np.unique(number)]
     middle = [float(np.median(group)) for group in groups]
-    clear = all(
-        float(np.max(np.abs(g - m))) <= tolerance for g, m in zip(groups, middle, strict=True)
-    )
-    return middle if clear else []
+    wide = max(float(np.max(np.abs(g - m))) for g, m in zip(groups, middle, strict=True))
+    return middle if wide <= tolerance else []

@@ -85,7 +85,7 @@ def is_held(values: Array) -> bool:
 
 _WINDOW = 0.01  # of the samples: length of the means that distinguish rest from motion
 _MOST_IN_WINDOW = 30  # samples; a longer mean misses short rests
-_FEWEST_IN_WINDOW = 5  # samples of such a mean
+FEWEST_IN_WINDOW = 5  # samples of such a mean
 _NOISE_BAND = 4.0  # sd of the difference of two means, below which it is noise
 _COMPUTED_SCATTER = 1e-5  # of the range: smaller scatter is that of computed numbers
 
@@ -106,7 +106,7 @@ class Rest:
 def moving(time: Array, values: Array) -> np.ndarray:
     """(n,) whether a signal moves there: means over neighbouring windows differ by more than noise lets them."""
     count = len(values)
-    window = max(_FEWEST_IN_WINDOW, min(round(_WINDOW * count), _MOST_IN_WINDOW))
+    window = max(FEWEST_IN_WINDOW, min(round(_WINDOW * count), _MOST_IN_WINDOW))
     moves = np.zeros(count, dtype=bool)
     if count < 2 * window or span(values) == 0.0:
         return moves
@@ -147,7 +147,7 @@ def _from_lowest(values: Array) -> Array:
 def begins_still(time: Array, columns: Sequence[Array]) -> bool:
     """Whether nothing moves in the first samples, even if they are too few to estimate noise."""
     return all(
-        span(values[:_FEWEST_IN_WINDOW])
+        span(values[:FEWEST_IN_WINDOW])
         <= max(REST_BAND * span(values), NOISE_SPAN * noise_of(time, values))
         for values in columns
     )
@@ -172,11 +172,11 @@ def _levels(interval: Rest, columns: Sequence[tuple[Array, float, float]]) -> li
 def noise_at_rest(time: Array, values: Array, interval: Rest) -> tuple[float, float]:
     """Standard deviation at rest and the step of the record (0: none); 0 where the samples show neither."""
     most = PIECE * PIECES
-    inside = slice(interval.start, min(interval.stop, interval.start + most))
+    inside = values[interval.start : min(interval.stop, interval.start + most)]
     step = record_step(values[:most])
-    sigma = estimate_noise(time[inside], values[inside])
+    sigma = estimate_noise(time[interval.start :][: len(inside)], inside)
     if not isfinite(sigma):
-        steps = np.diff(values[inside])
+        steps = np.diff(inside)
         sigma = sqrt(float(np.nanmean(steps**2)) / 2.0) if np.isfinite(steps).any() else 0.0
     sigma = max(sigma, step / sqrt(12.0))
     return (sigma, step) if sigma > _COMPUTED_SCATTER * span(values) else (0.0, 0.0)

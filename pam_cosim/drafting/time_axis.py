@@ -12,7 +12,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.columns import NO_UNIT, UNNAMED, RecordedColumn, with_usual_unit
-from pam_cosim.drafting.headings import Headings, Meaning
+from pam_cosim.drafting.headings import PRESSURE, SET_PRESSURE, UNKNOWN, Headings, alike, meant
 from pam_cosim.drafting.recordings import Source
 from pam_cosim.drafting.shapes import is_held, span
 from pam_cosim.errors import InputError
@@ -62,18 +62,23 @@ def with_time(
     if wanted is None:
         return list(columns), None
     unit, more = _unit_of(wanted, headings)
-    time = replace(wanted, meaning=Meaning("time"), unit=unit, why=(*why, *more))
+    time = replace(wanted, meaning=meant("time"), unit=unit, why=(*why, *more))
+    clocks = [c for c in columns if c.name != time.name and _is_clock(c)]
     units = {
         c.name: _unit_of(c, headings)[0]
         for c in columns
-        if c.name == wanted.name or (_is_clock(c) and _rises(c))
+        if c is wanted or (c in clocks and _rises(c))
     }
-    clocks = {c.name: _second_clock(time, c, units, headings) for c in columns if _is_clock(c)}
-    return [time if c.name == time.name else clocks.get(c.name, c) for c in columns], time
+    others = {c.name: _second_clock(time, c, units, headings) for c in clocks}
+    return [time if c is wanted else others.get(c.name, c) for c in columns], time
 
 
 def _is_clock(column: RecordedColumn) -> bool:
-    return column.of("time") or bool(_LABVIEW.fullmatch(column.name) and _runs(column))
+    return column.of("time") or (_is_of_labview(column) and _runs(column))
+
+
+def _is_of_labview(column: RecordedColumn) -> bool:
+    return bool(_LABVIEW.fullmatch(column.name))
 
 
 def _likely_time(
@@ -84,46 +89,37 @@ def _likely_time(
     rising = [c for c in called if _rises(c)]
     if rising:  # a date may be written no finer than in seconds
         return max(rising, key=lambda c: (not c.since, c.known_share)), ()
-    labview = next((c for c in columns if _LABVIEW.fullmatch(c.name) and _runs(c)), None)
-    if labview is not None and not any(place.unit.strip() for place in labview.places.values()):
+    labview = next((c for c in columns if _is_of_labview(c) and _runs(c)), None)
+    if labview is not None and not labview.written_unit:
         return labview, ("LabVIEW calls the time so, and its numbers rise from row to row",)
-    unknown = [
-        c for c in columns if c.meaning is None and not UNNAMED.fullmatch(c.name) and _runs(c)
-    ]
-    running = next((c for c in unknown if not c.unit or _is_time(c.unit)), None)
-    if running is not None:
-        return running, ("its numbers rise from row to row",)
+    for c in columns:
+        if (
+            not c.meaning
+            and not UNNAMED.fullmatch(c.name)
+            and alike(c.unit or "s", "s")
+            and _runs(c)
+        ):
+            return c, ("its numbers rise from row to row",)
     return (called[0] if called else None), ()  # Its fault is reported when it is read.
-
-
-def _is_time(unit: str) -> bool:
-    try:
-        convert(0.0, unit, "s")
-    except InputError:
-        return False
-    return True
 
 
 def _second_clock(
     time: RecordedColumn, column: RecordedColumn, units: Mapping[str, str], headings: Headings
 ) -> RecordedColumn:
     """A second clock, in addition to the column that is the time."""
-    if column.name == time.name:
-        return time
     if not _rises(column) or time.values.keys().isdisjoint(column.values):
-        why = "another column is the time"
+        why = ("another column is the time",)
         if column.name.strip() != "T" or column.unit:
-            return replace(column, meaning=None, why=(why,))
-        return with_usual_unit(
-            replace(column, meaning=Meaning("temperature"), why=(why,)), headings
-        )
+            return replace(column, meaning=UNKNOWN, why=why)
+        return with_usual_unit(replace(column, meaning=meant("temperature"), why=why), headings)
     late = _difference(time.values, time.unit, column.values, units[column.name])
     if late is None:
         raise SeveralClocks(time, units)
-    away = ""
-    if late and not (column.since or time.since):
-        away = f", {abs(late):.4g} s {'later' if late > 0.0 else 'earlier'}"
-    return replace(column, meaning=None, why=(f"it runs with {shown(time.name)}, the time{away}",))
+    away = f", {abs(late):.4g} s {'later' if late > 0.0 else 'earlier'}"
+    if not late or column.since or time.since:
+        away = ""
+    why = (f"it runs with {shown(time.name)}, the time{away}",)
+    return replace(column, meaning=UNKNOWN, why=why)
 
 
 def _rises(column: RecordedColumn) -> bool:
@@ -197,64 +193,57 @@ def check_time(
         _check_no_clock(columns, sources, headings)
         return
     for i, source in enumerate(sources):
-        if time is None:
-            raise InputError(_no_time_among(source), source.file, source.table.header_line)
-        if i not in time.values:
-            message = _other_columns(sources[min(time.values)], source, time)
+        if time is None or i not in time.values:
+            message = _no_time_in(source, sources, time)
             raise InputError(message, source.file, source.table.header_line)
 
 
 def _may_be_points(columns: Sequence[RecordedColumn], sources: Sequence[Source]) -> bool:
     """Whether tables without time are of points at rest: so few rows that each may be an equilibrium, and no valve."""
     is_driven = any(c.kind in ("command", "current") for c in columns)
-    has_pressure = any(c.of("pressure") or c.of("pressure", "set") for c in columns)
-    rows = max(len(next(iter(s.table.columns.values())).values) for s in sources)
-    return has_pressure and not is_driven and rows <= _MOST_POINTS
+    has_pressure = any(c.meaning in (PRESSURE, SET_PRESSURE) for c in columns)
+    return has_pressure and not is_driven and max(s.count for s in sources) <= _MOST_POINTS
 
 
 def _check_no_clock(
     columns: Sequence[RecordedColumn], sources: Sequence[Source], headings: Headings
 ) -> None:
     """Raises InputError where a column is called time and is text, or empty: its rows may be no points at rest."""
-    empty = (
-        (sources[min(c.places)], c.name)
-        for c in columns
-        if not c.values and c.places and _is_called_time(c.name, headings)
+    dates = (
+        "this text states when each row was recorded, and no other column is the time; a time of day is read together "
+        f"with its date, as {shown(EXAMPLE)}; write it so,"
     )
-    texts = ((source, source.clocks[0]) for source in sources if source.clocks)
-    for source, name, why in (
-        *((s, n, "this text states when each row was recorded, and no other column is the time; a time of day is read "
-          f"together with its date, as {shown(EXAMPLE)}; write it so,") for s, n in texts),
-        *((s, n, "it is called as the time is, and has no value in any row;") for s, n in empty),
-    ):  # fmt: skip
+    empty = "it is called as the time is, and has no value in any row;"
+    faults = [(source, source.clocks[0], dates) for source in sources if source.clocks]
+    faults += [
+        (sources[min(c.places)], c.name, empty)
+        for c in columns
+        if not c.values and (_is_of_labview(c) or (c.name != "T" and headings.says_time(c.name)))
+    ]  # a T may be a temperature
+    for source, name, why in faults:
         say = f"state --recording interval='1 ms' where rows are evenly apart, or --recording 'ignore={name}'"
         message = f"{why} {say} where each row is a point at rest"
         raise InputError(message, source.file, source.table.header_line, name)
 
 
-def _is_called_time(name: str, headings: Headings) -> bool:
-    """Whether a heading can only be that of the time; a T may be a temperature."""
-    return (name != "T" and headings.says_time(name)) or bool(_LABVIEW.fullmatch(name))
-
-
-def _no_time_among(source: Source) -> str:
-    """The message on a file without a column of time."""
-    hint = "state which by --column time=NAME, or --recording interval='1 ms' where rows are evenly apart"
-    dates = (
-        f"; {shown(source.clocks[0])} is text: dates are read as {EXAMPLE}" if source.clocks else ""
-    )
-    return f"there is no column of time among {listed(source.table.columns)}{dates}; {hint}"
-
-
-def _other_columns(first: Source, source: Source, time: RecordedColumn) -> str:
-    """The message on a file that lacks the time column of another file."""
+def _no_time_in(source: Source, sources: Sequence[Source], time: RecordedColumn | None) -> str:
+    """The message on a file without a column of time, or without that of the other files."""
+    here = listed(source.table.columns)
+    if time is None:
+        hint = "state which by --column time=NAME, or --recording interval='1 ms' where rows are evenly apart"
+        text = (
+            f"; {shown(source.clocks[0])} is text: dates are read as {EXAMPLE}"
+            if source.clocks
+            else ""
+        )
+        return f"there is no column of time among {here}{text}; {hint}"
     if time.name in source.table.columns:
         return f"the column {shown(time.name)} of time has no value"
-    here, there = listed(source.table.columns), listed(first.table.columns)
+    first = sources[min(time.values)]
     hint = "files with the same columns are drafted together, others into a data set of their own"
     return (
         f"it has no column {shown(time.name)}, which is the time in {first.file.name}: its columns are {here}, "
-        f"those of {first.file.name} {there}; {hint}"
+        f"those of {first.file.name} {listed(first.table.columns)}; {hint}"
     )
 
 
@@ -267,33 +256,25 @@ def even_interval(times: Sequence[Array]) -> str | None:
     Args:
         times: (n,) [s] of each recording.
     """
-    intervals = list(map(_interval, times))
-    if not intervals or intervals[0] is None or None in intervals:
+    if not times or not all(map(_is_coarse, times)):
         return None
-    steps = [usual_step(np.diff(time)) for time in times]
-    interval = _rounded(intervals[0], len(times[0]), steps[0])
+    first, steps = times[0], [usual_step(np.diff(time)) for time in times]
+    slope = float(np.polyfit(np.arange(len(first)), first, 1)[0])
+    # as few digits as put the last row off by less than half a step of the clock
+    short = (float(f"{slope:.{digits}g}") for digits in range(1, 9))
+    interval = next((s for s in short if abs(s - slope) * len(first) < steps[0] / 2.0), slope)
     even = all(
-        np.ptp(t - t[0] - interval * np.arange(len(t))) <= 1.5 * s
-        for t, s in zip(times, steps, strict=True)
+        np.ptp(time - interval * np.arange(len(time))) <= 1.5 * step
+        for time, step in zip(times, steps, strict=True)
     )
     return f"{1e3 * interval:g} ms" if even else None
 
 
-def _interval(time: Array) -> float | None:
-    """[s], the slope of a straight line through the times over the rows."""
+def _is_coarse(time: Array) -> bool:
+    """Whether most rows share their time [s] with a neighbour."""
     _, count = np.unique(time, return_counts=True)
-    if len(count) < 2 or float(np.median(count)) < 2.0 or (np.diff(time) < 0.0).any():
-        return None
-    return float(np.polyfit(np.arange(len(time)), time, 1)[0])
-
-
-def _rounded(interval: float, rows: int, step: float) -> float:
-    """The interval with as few digits as put the last row off by less than half a step of the clock."""
-    for digits in range(1, 9):
-        short = float(f"{interval:.{digits}g}")
-        if abs(short - interval) * rows < step / 2.0:
-            return short
-    return interval
+    goes_on = not (np.diff(time) < 0.0).any()
+    return goes_on and len(count) > 1 and float(np.median(count)) >= 2.0
 
 
 def _difference(
@@ -328,51 +309,48 @@ def with_one_clock(
     A reading stands in the rows of its own clock. What is imposed has a value in every row: a command the last one or
     one between its neighbours; where nothing is known to be a command, so do the columns of the first clock.
     """
-    commands = {c.name for c in columns if c.kind in ("command", "current", "voltage")}
-    commands |= {c.name for c in columns if c.meaning and "set" in c.meaning.roles}
-    merged = []
-    for source in sources:
-        recorded, first = source.table.columns, clocks.time.name
-        clock_columns = {n: recorded[n] for n in clocks.units if n in recorded}
-        if len(clock_columns) < 2 or first not in clock_columns:
-            merged.append(replace(source, is_merged=True))
-            continue
-        groups = {
-            name: _headed(name, source.table, clock_columns, headings) for name in clock_columns
-        }
-        clock_of = {n: next((c for c, g in groups.items() if n in g), first) for n in recorded}
-        imposed = {n for n in recorded if (n in commands if commands else clock_of[n] == first)} - {
-            *clock_columns
-        }
-        times = {
-            n: convert(c.values, clocks.units[n] or "s", "s") for n, c in clock_columns.items()
-        }
-        has_value = {
-            n: np.isfinite(times[clock_of[n]]) & np.isfinite(recorded[n].values) for n in recorded
-        }
-        at = {n: times[clock_of[n]][has_value[n]] for n in recorded}
-        imposed = {n for n in imposed if len(at[n])}
-        rows = np.unique(np.concatenate([t[np.isfinite(t)] for t in times.values()]))
-        for name in imposed:  # nothing is known of it before and after
-            rows = rows[(rows >= at[name][0]) & (rows <= at[name][-1])]
-        unit = clocks.units[first] or "s"
-        table = {first: Column(first, unit, convert(rows, "s", unit))}
-        for name in (n for n in recorded if n not in clock_columns):
-            values = recorded[name].values[has_value[name]]
-            place = np.clip(np.searchsorted(at[name], rows, side="right") - 1, 0, None)
-            if name in imposed and not is_held(values):
-                filled = np.interp(rows, at[name], values)
-            elif name in imposed:
-                filled = values[place]
-            else:
-                there = np.isin(rows, at[name])
-                filled = np.full(len(rows), np.nan)
-                filled[there] = values[place[there]]
-            table[name] = replace(recorded[name], values=filled)
-        merged.append(
-            replace(source, table=replace(source.table, columns=table, lines=None), is_merged=True)
-        )
-    return merged
+    commands = {
+        c.name
+        for c in columns
+        if c.kind in ("command", "current", "voltage") or "set" in c.meaning.roles
+    }
+    return [_merged(source, commands, clocks, headings) for source in sources]
+
+
+def _merged(
+    source: Source, commands: Collection[str], clocks: SeveralClocks, headings: Headings
+) -> Source:
+    recorded, first = source.table.columns, clocks.time.name
+    units = {n: unit or "s" for n, unit in clocks.units.items() if n in recorded}
+    if len(units) < 2 or first not in units:
+        return replace(source, is_merged=True)
+    times = {n: convert(recorded[n].values, unit, "s") for n, unit in units.items()}
+    clock_of = dict.fromkeys(recorded, first)
+    for clock in reversed(times):
+        clock_of |= dict.fromkeys(_headed(clock, source.table, times, headings), clock)
+    samples = {}
+    for n in (n for n in recorded if n not in times):
+        time, values = times[clock_of[n]], recorded[n].values
+        present = np.isfinite(time) & np.isfinite(values)
+        samples[n] = time[present], values[present]
+    imposed = [
+        n
+        for n, (at, _) in samples.items()
+        if at.size and (n in commands if commands else clock_of[n] == first)
+    ]
+    rows = np.unique(np.concatenate([t[np.isfinite(t)] for t in times.values()]))
+    for n in imposed:  # nothing is known of it before and after
+        rows = rows[(rows >= samples[n][0][0]) & (rows <= samples[n][0][-1])]
+    table = {first: Column(first, units[first], convert(rows, "s", units[first]))}
+    for n, (at, values) in samples.items():
+        if n in imposed and not is_held(values):
+            filled = np.interp(rows, at, values)
+        else:
+            last = np.clip(np.searchsorted(at, rows, side="right") - 1, 0, None)
+            filled = np.append(values, np.nan)[last]
+            filled[~np.isin(rows, at if n not in imposed else rows)] = np.nan
+        table[n] = replace(recorded[n], values=filled)
+    return replace(source, table=replace(source.table, columns=table, lines=None), is_merged=True)
 
 
 def _headed(

@@ -119,10 +119,13 @@ def _no_map(experiment: Experiment, input_map: InputMap) -> InputError:
 
 def _experiment_file(folder: Path) -> Path:
     try:
-        if folder.is_dir():
-            return folder / FILE_NAME
         if folder.is_file() and folder.suffix == ".toml":
             return folder
+        if folder.is_dir():
+            if (folder / FILE_NAME).exists():
+                return folder / FILE_NAME
+            message = f"there is no {FILE_NAME} among the files of this folder; 'pam-cosim workbench NEW-FOLDER' opens"
+            raise InputError(f"{message} a page on which recordings become a data set", folder)
     except (OSError, ValueError) as error:
         raise InputError(f"the folder cannot be read: {error}", shown(folder)) from None
     raise InputError(

@@ -78,7 +78,7 @@ class FirstOffset:
 
 
 def first_offsets(probe: StartProbe) -> list[FirstOffset]:
-    """Of the signals that show a state, or of all that are fitted where none does.
+    """Offsets of the signals that depend on one state alone; without such a signal, of all fitted signals.
 
     Raises:
         SimulationFailure: the run cannot be simulated.

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.measurement.data_set import FILE_NAME
+from pam_cosim.files import is_vacant
 from pam_cosim.wording import shown
 from pam_cosim.workbench.drop import Drop
 from pam_cosim.workbench.job_process import Worker
@@ -48,7 +48,7 @@ class Workbench:
         self.session: Session | None = None
         self.drop: Drop | None = None
         self._thread = ThreadPoolExecutor(1, thread_name_prefix="drop")
-        if is_to_be_made(self.folder):
+        if is_vacant(self.folder):
             self.drop = Drop(self.folder, tuple(files))
             name = self.folder.resolve().name
             self.windows.tell(event("study", title=name, folder=name, state="drop"))
@@ -135,19 +135,3 @@ class Workbench:
         self.windows.forget("dropped", "draft")
         drop.close()
         self.wake()
-
-
-def is_to_be_made(folder: Path) -> bool:
-    """Whether a data set is to be made there: there is nothing yet, or an empty folder."""
-    try:
-        is_new = not folder.exists() or (folder.is_dir() and not any(folder.iterdir()))
-        is_other = folder.is_dir() and not is_new and not (folder / FILE_NAME).exists()
-    except OSError as problem:
-        raise InputError(f"the folder cannot be read: {problem.strerror}", folder) from None
-    if is_other:
-        raise InputError(
-            f"there is no {FILE_NAME} among the files of this folder; 'pam-cosim workbench NEW-FOLDER' opens a page "
-            "on which recordings become a data set",
-            folder,
-        )
-    return is_new

@@ -111,7 +111,7 @@ def test_inputs_that_count_otherwise(change: Callable[[Run], Run], name: str, wo
 
 
 def test_a_model_of_another_size_shows_which_inputs_are_exchanged() -> None:
-    """Nobody calibrated the valves, so that the model explains little of the readings either way."""
+    """The valves are not calibrated, so that the model explains little of the readings either way."""
 
     def weak(data: DataSet) -> Sequence[RunComparison]:
         return [RunComparison(run, {"p": rig(run, gain=5e4)}) for run in data.runs]

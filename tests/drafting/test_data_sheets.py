@@ -112,3 +112,31 @@ def test_stated_measures_take_the_muscle_that_has_them(tmp_path: Path) -> None:
     assert "any-geometry" in (made.folder / "experiment.toml").read_text()
     with pytest.raises(InputError, match="state three"):
         drafted(tmp_path / "one", "valves: mA", parameters={"muscle.alpha_0": "25 deg"})
+
+
+def test_a_data_sheet_in_volts_says_which_columns_open_the_valves(tmp_path: Path) -> None:
+    rows = ["time [s],u_in [V],u_out [V],p [kPa],x [mm]"]
+    p = 200 + 40 * np.sin(0.05 * np.arange(300))
+    u = 4 + np.cos(0.05 * np.arange(300))
+    rows += [
+        f"{0.02 * k:.2f},{u[k]:.3f},{2 + k % 2},{p[k]:.2f},{0.1 * p[k]:.3f}" for k in range(300)
+    ]
+    file = tmp_path / "run.csv"
+    file.write_text("\n".join(rows) + "\n")
+    measures = {"muscle.L0": "298 mm", "muscle.D0": "15 mm", "muscle.alpha_0": "25 deg"}
+    rig = {"p_supply": "600 kPa", "spring.k": "3.45 N/mm", "spring.F_0": "17 N"}
+    made = pam.new(
+        tmp_path / "rig", [file], valve="0.86 mm2 at 10 V from 2 V", parameters={**measures, **rig}
+    )
+    assert {"u_in", "u_out"} <= made.data.runs[0].inputs.keys()
+    opened = SLOPE * (made.data.runs[0].inputs["u_in"] - BEGIN)
+    wanted = 0.86e-6 * (2 + np.cos(0.05 * np.arange(300))) / 8
+    np.testing.assert_allclose(opened, wanted, rtol=2e-3, atol=2e-9)
+    assert any("valves and spring" in line for line in made.to_check)
+
+
+def test_the_area_of_a_switched_valve_is_where_a_fit_begins(tmp_path: Path) -> None:
+    made = drafted(tmp_path, "switches: german", valve="0.8 mm2")
+    limits = written(made)["fit"]["valve.C_A"]
+    assert limits == {"min": pytest.approx(0.04), "max": pytest.approx(0.104)}
+    assert any("free for the fit" in line and "valve.C_A" in line for line in made.to_check)

@@ -337,3 +337,84 @@ def test_a_contraction_below_zero_is_asked_about(tmp_path: Path) -> None:
         made = pam.new(tmp_path / f"rig-{name}", [file])
         told = [line for line in made.to_check if line.startswith("x goes down to -")]
         assert len(told) == (zero > 0.0)
+
+
+@pytest.mark.parametrize("order", [(0, 1, 2, 3), (0, 2, 1, 3)], ids=["pairs", "times first"])
+def test_a_set_point_with_times_of_its_own_stands_at_them(
+    tmp_path: Path, order: tuple[int, ...]
+) -> None:
+    """The times of a set point are no set point: they are compared with the others as any clock."""
+    names = ("p_set.Time", "p_set.Data [bar]", "p.Time", "p.Data [bar]")
+
+    def row(k: int) -> list[object]:
+        cells = [f"{2.0 * TIME[k]:.2f}", SET_POINT[k], f"{TIME[k]:.2f}", READ[k]]
+        return [cells[i] for i in order]
+
+    heading = ",".join(names[i] for i in order)
+    (run,) = pam.new(tmp_path / "rig", [write(tmp_path / "a.csv", heading, row)]).data.runs
+    assert run.inputs["p_set"].max() == 5e5 and run.time[-1] == pytest.approx(2.0 * TIME[-1])
+    assert run.time[np.argmax(run.inputs["p_set"])] == pytest.approx(4.0)
+
+
+def test_one_command_for_two_valves_is_asked_about(tmp_path: Path) -> None:
+    """A spool that fills above zero and vents below: its halves open the valves, and the pressure is read."""
+    spool = np.where(IS_FILLED, 0.6, 0.0) - np.where(IS_EMPTIED, 0.5, 0.0)
+    p = pressure(np.where(TIME < 1.0, 0.0, np.where(IS_EMPTIED, 0.0, 3.0)), 0.3)
+
+    def row(k: int) -> list[object]:
+        return [f"{TIME[k]:.2f}", spool[k], f"{p[k]:.4f}", f"{10.0 * p[k]:.3f}"]
+
+    made = pam.new(tmp_path / "rig", [write(tmp_path / "a.csv", "t [s],spool,p [bar],x [mm]", row)])
+    (run,) = made.data.runs
+    np.testing.assert_allclose(run.inputs["u_in"], np.clip(spool, 0.0, None))
+    np.testing.assert_allclose(run.inputs["u_out"], np.clip(-spool, 0.0, None))
+    assert "p" in run.measurements
+    assert any(line.startswith("does one command, spool, drive both") for line in made.to_check)
+
+
+def test_a_unit_that_is_no_time_makes_no_clock(tmp_path: Path) -> None:
+    """Rows that are counted in hertz: the file has no time, and the message says what to state."""
+    heading = "sweep [Hz],u_in [A],p [bar],x [mm]"
+    file = write(tmp_path / "a.csv", heading, lambda k: [k, 0.1, READ[k], LENGTH[k]])
+    with pytest.raises(InputError, match="no column of time among sweep"):
+        pam.new(tmp_path / "rig", [file])
+
+
+def test_files_of_two_loggers_are_one_recording_each(tmp_path: Path) -> None:
+    files = []
+    for run in ("01", "02"):
+        files.append(
+            write(
+                tmp_path / f"daq-{run}.csv",
+                "t [s],p_set [bar],p [bar]",
+                lambda k: [f"{TIME[k]:.2f}", SET_POINT[k], f"{READ[k]:.4f}"],
+            )
+        )
+    for run in ("01", "02"):
+        file = tmp_path / f"camera-{run}.csv"
+        rows = [f"{0.033 * k:.3f},{np.interp(0.033 * k, TIME, LENGTH):.3f}" for k in range(151)]
+        file.write_text("\n".join(["t [s],marker x [mm]", *rows]) + "\n")
+        files.append(file)
+    made = pam.new(tmp_path / "rig", files)
+    assert [run.name for run in made.data.runs] == ["daq-01", "daq-02"]
+    assert {file.name for file in made.folder.glob("*.csv")} == {"daq-01.csv", "daq-02.csv"}
+    assert any("daq-01.csv with camera-01.csv" in line for line in made.to_check)
+    run = made.data.runs[0]
+    read = np.isfinite(run.measurements["x"])
+    assert read.sum() == 151
+    np.testing.assert_allclose(
+        1e3 * run.measurements["x"][read], np.interp(run.time[read], TIME, LENGTH), atol=1e-3
+    )
+    assert np.isfinite(run.measurements["p"]).sum() >= COUNT - 1
+
+
+def test_files_with_the_same_quantities_stay_recordings_of_their_own(tmp_path: Path) -> None:
+    files = [
+        write(
+            tmp_path / f"{name}-1.csv",
+            "t [s],p_set [bar],p [bar],x [mm]",
+            lambda k: [f"{TIME[k]:.2f}", SET_POINT[k], f"{READ[k]:.4f}", f"{LENGTH[k]:.3f}"],
+        )
+        for name in ("slow", "quick")
+    ]
+    assert len(pam.new(tmp_path / "rig", files).data.runs) == 2

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -11,7 +12,9 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.drafting import NewDataSet
+from pam_cosim.drafting import NewDataSet, UnsimulatedDraft
+from pam_cosim.errors import InputError
+from pam_cosim.model.interface import Interface
 from tests.drafting.labs import french, german, matlab, several, valves
 
 
@@ -276,3 +279,13 @@ def test_texts_of_files_are_data(tmp_path: Path) -> None:
     assert "evil" not in content and content["title"] == '"]\n[evil]\nx = 1'
     assert len(content["recording"]["ignore"]) == 1
     assert made.data.runs[0].measurements["x"].max() > 0
+
+
+def test_a_draft_that_cannot_be_simulated_survives_pickling() -> None:
+    """A process that drafts for another one sends the draft with the error."""
+    interface = Interface("Bench")
+    made = NewDataSet(Path("rig"), None, "Bench", (), ("which load?",), ())  # type: ignore[arg-type]
+    error = UnsimulatedDraft(InputError("fails", "a.csv", 3, "p"), made, "title", interface)
+    copy = pickle.loads(pickle.dumps(error))
+    assert str(copy) == str(error) == "a.csv:3: column 'p': fails"
+    assert (copy.new_data_set, copy.text, copy.interface) == (made, "title", interface)

@@ -245,3 +245,12 @@ def test_pressures_that_begin_at_that_of_the_atmosphere_are_asked_about(
     made = pam.new(tmp_path / "rig", [file])
     asked = [line for line in made.to_check if "the gauge is an absolute one" in line]
     assert len(asked) == (least == 1.013e5)
+
+
+def test_a_set_point_and_a_mass_serve_where_nothing_else_was_read(tmp_path: Path) -> None:
+    """Of points at rest the regulator has reached its set point, and the mass of a row hangs on the muscle."""
+    rows = [[bar, mass, 4 * bar - mass] for bar in (1, 2, 3, 4, 5) for mass in (1, 2, 4)]
+    file = write(tmp_path / "a.csv", "p_set [bar],Masse [kg],x [mm]", rows)
+    run = pam.new(tmp_path / "rig", [file]).data.runs[0]
+    assert {*run.inputs} >= {"p", "F"} and run.inputs["p"].max() == 5e5
+    assert run.inputs["F"].max() == pytest.approx(4 * 9.80665)

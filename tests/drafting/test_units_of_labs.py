@@ -176,7 +176,7 @@ def test_a_time_whose_unit_nobody_knows_is_not_taken_for_seconds(
 
 
 def test_a_value_is_no_unit() -> None:
-    assert read_heading("@ 200 kPa", "").meaning is None
+    assert not read_heading("@ 200 kPa", "").meaning
 
 
 def test_a_set_point_is_absolute_where_the_pressure_is(tmp_path: Path) -> None:

@@ -285,3 +285,9 @@ def test_what_cannot_be_opened_leaves_nothing_that_blocks_the_next_try(
 
 def _fails(complete: bool) -> None:
     raise SimulationFailure("the solver's step became too small")
+
+
+def test_a_folder_of_other_files_is_no_place_for_a_data_set(tmp_path: Path) -> None:
+    (tmp_path / "notes.txt").write_text("mine")
+    with pytest.raises(InputError, match="there is no experiment.toml among the files.*NEW-FOLDER"):
+        Workbench(tmp_path)
