@@ -50,3 +50,21 @@ def test_an_effect_matters_by_its_size_in_a_signal_or_by_its_share(
     size: EffectSize, matters: bool
 ) -> None:
     assert size.matters() is matters
+
+
+def test_a_family_is_believed_by_what_it_is_worth_beside_what_remains() -> None:
+    size = EffectSize({"p": 1.0, "x": 3.0}, 0.01)
+    assert size.credibility({"p": 3.0, "x": 1.0}) == pytest.approx(0.9)
+    assert size.credibility({"p": 3.0}) == 1.0
+    assert EffectSize({"p": 0.0}, 0.0).credibility({"p": 1.0}) == 0.0
+
+
+def test_what_remains_makes_a_small_family_less_probable() -> None:
+    known = Posterior(posterior(leak_and_spring=0.1).explanations, 0.9, credibility={"spring": 0.3})
+    assert known.by_family == {"leak": pytest.approx(1.0), "spring": pytest.approx(0.3)}
+    answer = candidate("Leak", fitted(1.0), "leak")
+    rows = family_table(models_of(BASE, [answer], [answer]), known).rows
+    assert {row.families: row.probability for row in rows} == {
+        ("leak",): pytest.approx(1.0),
+        ("spring",): pytest.approx(0.3),
+    }

@@ -13,7 +13,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.fitted_models import FittedModels
 from pam_cosim.diagnosis.judgement.posterior import Posterior
-from pam_cosim.diagnosis.judgement.size import EffectSize, size_of_effect
+from pam_cosim.diagnosis.judgement.size import EffectSize, size_of_effect, unexplained_rms
 from pam_cosim.files import Plain
 
 _LISTED = 0.05  # probability of a row at least
@@ -71,6 +71,16 @@ def family_table(models: FittedModels, probabilities: Posterior) -> FamilyTable:
     return FamilyTable(tuple(rows), tuple(_small(models)), min(remaining_error, 1.0))
 
 
+def credibility(models: FittedModels) -> dict[str, float]:
+    """How far each family of an answer that leaves structure is believed, by what it is worth beside what is left."""
+    effects, unexplained = (
+        models.path[-1].effects if models.path else (),
+        unexplained_rms(models.last),
+    )
+    sizes = {e: _size(models, effects, (e,)) for e in effects}
+    return {models.family[e]: size.credibility(unexplained) for e, size in sizes.items() if size}
+
+
 def _row(
     models: FittedModels,
     families: tuple[str, ...],
@@ -97,7 +107,8 @@ def _exchanged(probabilities: Posterior) -> list[tuple[tuple[str, ...], float]]:
                 [*group, other]
             ) >= (probabilities.probability_of_any(group) + _EXCLUSIVE * remaining_families[other]):
                 group.append(other)
-        groups.append((tuple(group), probabilities.probability_of_any(group)))
+        believed = max(probabilities.credibility.get(f, 1.0) for f in group)
+        groups.append((tuple(group), believed * probabilities.probability_of_any(group)))
         remaining_families = {f: p for f, p in remaining_families.items() if f not in group}
     return groups
 

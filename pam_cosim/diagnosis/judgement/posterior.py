@@ -9,7 +9,7 @@ truth is known (``benchmarks.hidden_effects.posterior``).
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import exp, nan
 
 from pam_cosim.criteria import CRITERIA
@@ -45,6 +45,7 @@ class Posterior:
     Attributes:
         explanations: the sets of families of which a model was fitted, the most probable first.
         something_else: probability of what no effect describes; NaN: not known.
+        credibility: by family of an answer that leaves structure, how far it is believed (``family_table``).
         doubts: what made that more probable, some of ``DOUBTS``.
     """
 
@@ -53,15 +54,17 @@ class Posterior:
     explanations: tuple[Explanation, ...] = ()
     something_else: float = nan
     doubts: tuple[str, ...] = ()
+    credibility: dict[str, float] = field(default_factory=dict)
 
     @property
     def by_family(self) -> dict[str, float]:
         """Probability that a family is missing, whatever else is; the most probable first.
 
-        Over the fitted sets of families; an additional cause without an effect does not lower it.
+        Over the fitted sets of families; an additional cause without an effect does not lower it, but where it leaves
+        as much as a family is worth.
         """
         families = dict.fromkeys(f for e in self.explanations for f in e.families)
-        sums = {family: self.probability_of_any((family,)) for family in families}
+        sums = {f: self.credibility.get(f, 1.0) * self.probability_of_any((f,)) for f in families}
         return dict(sorted(sums.items(), key=lambda entry: (-entry[1], entry[0])))
 
     def probability_of_any(self, families: Collection[str]) -> float:

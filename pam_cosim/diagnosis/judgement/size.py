@@ -27,6 +27,17 @@ class EffectSize:
     rms: Mapping[str, float]
     share: float
 
+    def credibility(self, unexplained: Mapping[str, float]) -> float:
+        """The share of what it takes away in that and what remains unexplained, as squares, where it is largest.
+
+        What takes away no more than remains may only stand in for a part of that.
+
+        Args:
+            unexplained: rms by signal, as ``unexplained_rms`` has it.
+        """
+        squares = ((rms**2, unexplained.get(n, 0.0) ** 2) for n, rms in self.rms.items())
+        return max((own / (own + rest) for own, rest in squares if own > 0), default=0.0)
+
     def matters(self, times: float = 1.0) -> bool:
         """Whether it is as large as a missing effect must be, or so many times that."""
         numbers = CRITERIA.evidence
@@ -43,7 +54,7 @@ def size_of_effect(base: Fit, without: Fit, with_it: Fit) -> EffectSize:
     after, before = with_it.comparison.scores["all"], without.comparison.scores["all"]
     signals = with_it.comparison.data.fitted_signals
     fewer = {n: before[n].chi2_reduced - after[n].chi2_reduced for n in signals if n in after}
-    noise = max(with_it.residuals["fit"].noise_floor, 1.0)
+    noise = _noise(with_it)
     rms = {n: sqrt(max(square, 0.0) / noise) for n, square in fewer.items()}
     squares = [
         sum(s.chi2 for s in fit.residuals_beyond_uncertainty.values())
@@ -51,3 +62,15 @@ def size_of_effect(base: Fit, without: Fit, with_it: Fit) -> EffectSize:
     ]
     excess = squares[0] - squares[2]
     return EffectSize(rms, (squares[1] - squares[2]) / excess if excess > 0 else 0.0)
+
+
+def unexplained_rms(fit: Fit) -> dict[str, float]:
+    """Root mean square beyond the noise that a model leaves of each fitted signal [standard deviations of it]."""
+    scores, noise = fit.comparison.scores["all"], _noise(fit)
+    signals = [n for n in fit.comparison.data.fitted_signals if n in scores]
+    return {n: sqrt(max(scores[n].chi2_reduced / noise - 1.0, 0.0)) for n in signals}
+
+
+def _noise(fit: Fit) -> float:
+    """Mean square of the noise beside a model [noise variances]."""
+    return max(fit.residuals["fit"].noise_floor, 1.0)

@@ -21,7 +21,7 @@ from pam_cosim.diagnosis.judgement.evidence import (
     leaves_structure,
     missed_signals,
 )
-from pam_cosim.diagnosis.judgement.family_table import FamilyTable, family_table
+from pam_cosim.diagnosis.judgement.family_table import FamilyTable, credibility, family_table
 from pam_cosim.diagnosis.judgement.fitted_models import FittedModels
 from pam_cosim.diagnosis.judgement.folds import Folds
 from pam_cosim.diagnosis.judgement.posterior import Posterior, doubts_of, posterior
@@ -253,6 +253,8 @@ def _with_probability(verdict: Verdict, models: FittedModels) -> Verdict:
     probabilities = posterior(
         models, doubts_of(models.path, verdict.kind == "unknown", verdict.remainder)
     )
+    if verdict.leaves_structure:
+        probabilities = replace(probabilities, credibility=credibility(models))
     probability = sum(
         e.probability for e in probabilities.explanations if verdict.names(e.families)
     )

@@ -47,6 +47,8 @@ def select_effects(search: Search, base: Fit) -> SearchResult:
         models.improve(1)
     if models.ranking.unsolved() or models.has_general_answer():
         models.try_full_models()
+    if models.ranking.unsolved() and not models.several_lead():
+        models.try_single(2 * CRITERIA.search.first_tried)
     models.improve(1)
     models.refine()
     path = tuple(models.path())
@@ -137,11 +139,12 @@ class _Models:
 
     def try_single(self, count: int) -> None:
         """So many of the effects that promise most by themselves, a few steps."""
-        self._record(
-            self.search.fit_briefly(
-                [self.predicted.fit_request(e) for e in self.predicted.most_promising(count)]
-            )
-        )
+        self._try([self.predicted.fit_request(e) for e in self.predicted.most_promising(count)])
+
+    def several_lead(self) -> bool:
+        """Whether the search goes on from a model with several effects."""
+        leading = self._leading()
+        return leading is not None and len(leading.effects) > 1
 
     def one_may_be_enough(self) -> bool:
         """Whether a few steps bring a model with one effect near the noise."""
