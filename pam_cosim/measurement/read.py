@@ -124,8 +124,9 @@ def _experiment_file(folder: Path) -> Path:
         if folder.is_dir():
             if (folder / FILE_NAME).exists():
                 return folder / FILE_NAME
-            message = f"there is no {FILE_NAME} among the files of this folder; 'pam-cosim workbench NEW-FOLDER' opens"
-            raise InputError(f"{message} a page on which recordings become a data set", folder)
+            message = f"there is no {FILE_NAME} among the files of this folder; 'pam-cosim new NEW-FOLDER RECORDINGS'"
+            page = "'pam-cosim workbench NEW-FOLDER' does so on a page"
+            raise InputError(f"{message} drafts a data set, {page}", folder)
     except (OSError, ValueError) as error:
         raise InputError(f"the folder cannot be read: {error}", shown(folder)) from None
     raise InputError(

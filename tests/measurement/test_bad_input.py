@@ -264,6 +264,7 @@ def test_a_link_out_of_the_folder(make, tmp_path):
 
 
 def test_no_data_set_there(tmp_path):
-    assert refusal(tmp_path).file == tmp_path / TOML
+    assert refusal(tmp_path).file == tmp_path
+    assert "pam-cosim new NEW-FOLDER RECORDINGS" in refusal(tmp_path).message
     assert refusal(tmp_path / "nowhere").file == tmp_path / "nowhere"
     assert "folder" in refusal(tmp_path / ("x" * 5000)).message
