@@ -215,7 +215,7 @@ def _entry(
     entry = replace(entry, numbers=_converted(name, column, variable.unit))
     if column.absolute and column.kind == "pressure":
         if not variable.is_foreign:
-            return _gauge_pressure(entry, column, bench.evidence.ambient_pressure)
+            return _gauge_pressure(entry, column, bench)
         why = f"its heading states an absolute pressure: state an offset if {name} is gauge"
         return entry.because(why, unit=column.unit or None)
     if column.formula:
@@ -238,18 +238,29 @@ def _converted(name: str, column: RecordedColumn, unit: str) -> dict[int, Array]
         raise InputError(message) from None
 
 
-def _gauge_pressure(
-    entry: ColumnEntry, column: RecordedColumn, ambient: RecordedColumn | None
-) -> ColumnEntry:
+def _gauge_pressure(entry: ColumnEntry, column: RecordedColumn, bench: Bench) -> ColumnEntry:
     """A gauge pressure that was recorded as an absolute one [Pa]."""
+    ambient, stated = bench.evidence.ambient_pressure, _stated_ambient(bench)
     outside, source = STANDARD_ATMOSPHERE, ""
-    if ambient is not None:
+    if stated:
+        outside, source = parse_quantity(bench.evidence.stated[stated], "Pa"), f", {stated}"
+    elif ambient is not None:
         outside = float(np.nanmean(convert(ambient.samples, ambient.unit, "Pa")))
         source = f", the mean of {ambient.name}"
     text = f"{outside / 1e3:.6g} kPa"
     why = f"its heading states an absolute pressure; the ambient is taken as {text}{source}"
     numbers = {i: v - outside for i, v in entry.numbers.items()}
     return scaled(entry.because(why, numbers=numbers), column, None, f"-{text}")
+
+
+def _stated_ambient(bench: Bench) -> str:
+    """The parameter of the ambient pressure, where the user states it; else ""."""
+    parameters = bench.interface.parameters
+    for name, v in ((n, parameters[n]) for n in bench.evidence.stated if n in parameters):
+        meaning = bench.headings.meaning_of(name.rpartition(".")[2], v.description, v.unit)
+        if meaning == meant("pressure", "ambient") and "gauge" not in v.description.casefold():
+            return name
+    return ""
 
 
 def scaled(

@@ -181,6 +181,10 @@ def test_the_pressure_outside_that_was_recorded_is_subtracted(tmp_path: Path) ->
     assert made.data.runs[0].parameters["ambient.p"] == pytest.approx(94e3)
     assert float(course(made, "p")[0]) == pytest.approx(0.5e5)
     assert "94 kPa" in written(made)["columns"]["p"]["formula"]
+    outside = {"ambient.p": "96 kPa"}
+    made = pam.new(tmp_path / "stated", [tmp_path / "a.csv"], parameters=outside)
+    assert made.data.runs[0].parameters["ambient.p"] == pytest.approx(96e3)
+    assert float(course(made, "p")[0]) == pytest.approx(0.48e5)
 
 
 @pytest.mark.parametrize(("noise", "between"), [(0.0, "previous"), (0.004, "linear")])
