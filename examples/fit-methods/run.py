@@ -37,10 +37,10 @@ def draw(made: dict[str, Fit], picture: Path) -> None:
     widths = {"least-squares": 5.0}  # where descents from the same start coincide, both are seen
     for method, fit in made.items():
         course = fit.convergence
+        simulations = [*course.evaluations, fit.evaluations]
+        lowest = [*course.chi2_reduced, course.chi2_reduced[-1]]
         width = widths.get(method, 1.5)
-        (line,) = axes.step(
-            course.evaluations, course.chi2_reduced, where="post", label=method, linewidth=width
-        )
+        (line,) = axes.step(simulations, lowest, where="post", label=method, linewidth=width)
         if fit.search is not None:
             own = fit.search.as_dict()
             axes.plot(own["evaluations"], own["chi2_reduced"], "x", color=line.get_color(), ms=9)
