@@ -309,8 +309,9 @@ class Headings:
         kind = self._kind_with_unit(named, unit, exact) if unit else by_words
         if kind in ("", "time", "count", "direction"):
             return Meaning(kind)
-        if kind == "voltage" and self._opening and alike(unit, self._opening):
-            kind = "current"  # a card's volts open a valve as its amperes do
+        opens = bool(self._opening) and alike(unit, self._opening)
+        if kind == "voltage" and opens and {*named} <= {"voltage", "current", "command"}:
+            kind = "current"  # volts of a card open a valve as its amperes do
         return Meaning(
             kind, frozenset(roles & VALVES if kind in ("command", "current") else roles - VALVES)
         )

@@ -115,11 +115,12 @@ def test_stated_measures_take_the_muscle_that_has_them(tmp_path: Path) -> None:
 
 
 def test_a_data_sheet_in_volts_says_which_columns_open_the_valves(tmp_path: Path) -> None:
-    rows = ["time [s],u_in [V],u_out [V],p [kPa],x [mm]"]
+    rows = ["time [s],load_cell [V],u_in [V],u_out [V],p [kPa],x [mm]"]
     p = 200 + 40 * np.sin(0.05 * np.arange(300))
     u = 4 + np.cos(0.05 * np.arange(300))
     rows += [
-        f"{0.02 * k:.2f},{u[k]:.3f},{2 + k % 2},{p[k]:.2f},{0.1 * p[k]:.3f}" for k in range(300)
+        f"{0.02 * k:.2f},{u[k]:.2f},{u[k]:.3f},{2 + k % 2},{p[k]:.2f},{0.1 * p[k]:.3f}"
+        for k in range(300)
     ]
     file = tmp_path / "run.csv"
     file.write_text("\n".join(rows) + "\n")
@@ -133,6 +134,8 @@ def test_a_data_sheet_in_volts_says_which_columns_open_the_valves(tmp_path: Path
     wanted = 0.86e-6 * (2 + np.cos(0.05 * np.arange(300))) / 8
     np.testing.assert_allclose(opened, wanted, rtol=2e-3, atol=2e-9)
     assert any("valves and spring" in line for line in made.to_check)
+    (load_cell,) = (guess for guess in made.guesses if guess.what == "load_cell")
+    assert load_cell.why == "a voltage; a formula can scale it"
 
 
 def test_the_area_of_a_switched_valve_is_where_a_fit_begins(tmp_path: Path) -> None:
