@@ -185,7 +185,8 @@ def dominant_effect(base: Fit, candidates: Sequence[Candidate]) -> Candidate | N
     """The effect that takes away nearly all that exceeds the noise, where no other family comes near; else None.
 
     In the fitted runs and in the others. What is left has structure then, and still the family is beyond doubt: what
-    belongs to no family, other families do not imitate that well.
+    belongs to no family, other families do not imitate that well. Where it is far above the noise, more than a form
+    is open.
 
     Args:
         base: the model without effects, fitted.
@@ -214,5 +215,6 @@ def _explains_nearly_all(base: Fit, fit: Fit) -> bool:
     ]
     return all(
         after.excess <= CRITERIA.evidence.beyond_doubt * before.excess
+        and after.chi2_reduced <= CRITERIA.residuals.far_above
         for before, after in residuals_by_role
     )
