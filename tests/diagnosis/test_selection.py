@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import pytest
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.search.selection import select_effects
 from tests.diagnosis.linear_world import CATALOGUE, KNOWN, LinearWorld, world
 from tests.tiers import quick
@@ -98,3 +99,4 @@ def test_the_time_limit_ends_the_search_and_says_what_was_not_tried() -> None:
     looks = sum(count for _, count in pair.looks)
     assert 0 < looks < len(CATALOGUE)  # the first are looked at whatever the time
     assert len(selection.probes) == looks
+    assert len(selection.tried) == min(looks, CRITERIA.search.first_tried)

@@ -47,8 +47,7 @@ def select_effects(search: Search, base: Fit) -> SearchResult:
         models.improve(1)
     if models.ranking.unsolved() or models.has_general_answer():
         models.try_full_models()
-    if models.ranking.unsolved() and not models.several_lead():
-        models.try_single(2 * CRITERIA.search.first_tried)
+    models.try_further_single(2 * CRITERIA.search.first_tried)
     models.improve(1)
     models.refine()
     path = tuple(models.path())
@@ -138,13 +137,17 @@ class _Models:
             )
 
     def try_single(self, count: int) -> None:
-        """So many of the effects that promise most by themselves, a few steps."""
-        self._try([self.predicted.fit_request(e) for e in self.predicted.most_promising(count)])
+        """So many of the effects that promise most by themselves, a few steps, whatever the effort."""
+        self._record(self.search.fit_briefly(self._single(count)))
 
-    def several_lead(self) -> bool:
-        """Whether the search goes on from a model with several effects."""
+    def try_further_single(self, count: int) -> None:
+        """The same, more of them, where the best leaves structure and no model with several effects leads."""
         leading = self._leading()
-        return leading is not None and len(leading.effects) > 1
+        if self.ranking.unsolved() and (leading is None or len(leading.effects) == 1):
+            self._try(self._single(count))
+
+    def _single(self, count: int) -> list[FitRequest]:
+        return [self.predicted.fit_request(e) for e in self.predicted.most_promising(count)]
 
     def one_may_be_enough(self) -> bool:
         """Whether a few steps bring a model with one effect near the noise."""
