@@ -44,9 +44,9 @@ def headed(name: str, unit: str) -> str:
 
 def table_text(table: Table) -> str:
     """A table as comma-separated values; every number reads back as it is, and one of whether is 0 or 1."""
-    heads, rows = table
     import csv
 
+    heads, rows = table
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(heads)

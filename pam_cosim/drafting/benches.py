@@ -121,6 +121,19 @@ class Bench:
         """Parameters, and inputs whose values can be stated."""
         return {**self.interface.parameters, **self.interface.inputs}
 
+    def parameters_of(self, meaning: Meaning) -> dict[str, Variable]:
+        """The parameters of a meaning.
+
+        What is around a rig is recorded as it is, and not against itself: a gauge pressure of the room is none.
+        """
+        return {
+            name: v
+            for name, v in self.interface.parameters.items()
+            if v.unit == self.headings.units[meaning.kind]
+            and "gauge" not in v.description.casefold()
+            and self.headings.meaning_of(name.rpartition(".")[2], v.description, v.unit) == meaning
+        }
+
     @cached_property
     def used(self) -> set[str]:
         """The columns that are read, also in a formula."""
@@ -269,14 +282,19 @@ def _with_stated_parts(
     part_names = {p.qualified_name: p.component_name for p in rig_parts(tree) if p.role != "muscle"}
     owners = {name.partition(".")[0] for name in evidence.stated_names} & {*part_names.values()}
 
-    def lacking(bench: Ports) -> int:
-        parts = [part_names[name] for name in bench.parts]
-        return len(
-            owners - {*parts, *([] if parts else (c.name for c in tree.components(bench.name)))}
+    if not owners:
+        return list(candidates)
+    lacking = {
+        bench.name: len(
+            owners.difference(
+                [part_names[name] for name in bench.parts]
+                or [c.name for c in tree.components(bench.name)]
+            )
         )
-
-    least = min(map(lacking, candidates), default=0) if owners else 0
-    return [bench for bench in candidates if not owners or lacking(bench) == least]
+        for bench in candidates
+    }
+    least = min(lacking.values(), default=0)
+    return [bench for bench in candidates if lacking[bench.name] == least]
 
 
 def _is_shut(bench: Ports, tree: ClassTree) -> bool:

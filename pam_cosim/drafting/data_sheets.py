@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from pam_cosim.arrays import Array
@@ -82,8 +82,12 @@ def opening_unit(text: str) -> str:
     Raises:
         InputError: they are written otherwise.
     """
-    found = map(rating_of, filter(str.strip, text.split(";")))
-    return next((unit for rating in found if (unit := _unit_at(rating))), "")
+    return next((unit for rating in _ratings_in(text) if (unit := _unit_at(rating))), "")
+
+
+def _ratings_in(text: str) -> Iterator[Rating]:
+    """The sentences of a text, which semicolons separate."""
+    return map(rating_of, filter(str.strip, text.split(";")))
 
 
 def _unit_at(rating: Rating) -> str:
@@ -100,7 +104,7 @@ def ratings(text: str, bench: Bench) -> tuple[dict[str, Scale], dict[str, float]
         InputError: it is written otherwise, the bench has no such valve, or a unit does not fit.
     """
     scales, values = dict[str, Scale](), dict[str, float]()
-    for rating in map(rating_of, filter(str.strip, text.split(";"))):
+    for rating in _ratings_in(text):
         inputs = {
             n: v for n, v in bench.interface.inputs.items() if bench.meanings[n].roles & VALVES
         }
@@ -123,8 +127,8 @@ def _calibration(
     rating: Rating, inputs: Mapping[str, Variable], bench: Bench
 ) -> tuple[str, Scale | float]:
     """The parameter that calibrates the valves, and the scale of their inputs, or its value where there is none."""
+    unit_at = _unit_at(rating)
     for last, unit, input_unit, slope, begin in bench.headings.vocabulary.data_sheets:
-        unit_at = _unit_at(rating)
         name = next((n for n in bench.interface.parameters if n.rpartition(".")[2] == last), None)
         if name is None or not inputs or {v.unit for v in inputs.values()} != {input_unit}:
             continue

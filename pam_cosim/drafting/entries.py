@@ -240,10 +240,11 @@ def _converted(name: str, column: RecordedColumn, unit: str) -> dict[int, Array]
 
 def _gauge_pressure(entry: ColumnEntry, column: RecordedColumn, bench: Bench) -> ColumnEntry:
     """A gauge pressure that was recorded as an absolute one [Pa]."""
-    ambient, stated = bench.evidence.ambient_pressure, _stated_ambient(bench)
+    ambient, known = bench.evidence.ambient_pressure, bench.evidence.stated
+    named = [n for n in bench.parameters_of(meant("pressure", "ambient")) if n in known]
     outside, source = STANDARD_ATMOSPHERE, ""
-    if stated:
-        outside, source = parse_quantity(bench.evidence.stated[stated], "Pa"), f", {stated}"
+    if named:
+        outside, source = parse_quantity(known[named[0]], "Pa"), f", {named[0]}"
     elif ambient is not None:
         outside = float(np.nanmean(convert(ambient.samples, ambient.unit, "Pa")))
         source = f", the mean of {ambient.name}"
@@ -251,16 +252,6 @@ def _gauge_pressure(entry: ColumnEntry, column: RecordedColumn, bench: Bench) ->
     why = f"its heading states an absolute pressure; the ambient is taken as {text}{source}"
     numbers = {i: v - outside for i, v in entry.numbers.items()}
     return scaled(entry.because(why, numbers=numbers), column, None, f"-{text}")
-
-
-def _stated_ambient(bench: Bench) -> str:
-    """The parameter of the ambient pressure, where the user states it; else ""."""
-    parameters = bench.interface.parameters
-    for name, v in ((n, parameters[n]) for n in bench.evidence.stated if n in parameters):
-        meaning = bench.headings.meaning_of(name.rpartition(".")[2], v.description, v.unit)
-        if meaning == meant("pressure", "ambient") and "gauge" not in v.description.casefold():
-            return name
-    return ""
 
 
 def scaled(

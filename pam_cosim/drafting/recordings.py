@@ -180,7 +180,8 @@ def with_loggers(sources: list[Source], headings: Headings) -> list[Source]:
 
 def _beside(first: Source, others: Sequence[Source]) -> Source:
     """A recording with the columns of other loggers, each behind its clock."""
-    columns, rows = dict(first.table.columns), max(source.count for source in (first, *others))
+    sources = (first, *others)
+    columns, rows = dict(first.table.columns), max(source.count for source in sources)
     for source in others:
         logger = " ".join(re.findall(r"[^\W\d_]+", source.file.stem))
         for name, column in source.table.columns.items():
@@ -192,8 +193,10 @@ def _beside(first: Source, others: Sequence[Source]) -> Source:
     return replace(
         first,
         table=replace(first.table, columns=columns, lines=None),
-        texts=tuple(text for source in (first, *others) for text in source.texts),
-        remarks=tuple(remark for source in (first, *others) for remark in source.remarks),
+        texts=tuple(text for source in sources for text in source.texts),
+        words={name: words for source in sources for name, words in source.words.items()},
+        labels=tuple(label for source in sources for label in source.labels),
+        remarks=tuple(remark for source in sources for remark in source.remarks),
         loggers=tuple(source.file for source in others),
         is_merged=True,
     )

@@ -207,19 +207,9 @@ def _of_remarks(i: int, bench: Bench) -> dict[str, StatedValue]:
 
 
 def _meant(meaning: Meaning, value: float, bench: Bench) -> list[str]:
-    """The parameter of a kind, where there is one and it may have the value.
-
-    What is around a rig is recorded as it is, and not against itself: a gauge pressure of the room is none.
-    """
-    headings = bench.headings
-    alike = [
-        (name, v)
-        for name, v in bench.interface.parameters.items()
-        if v.unit == headings.units[meaning.kind]
-        and "gauge" not in v.description.casefold()
-        and headings.meaning_of(name.rpartition(".")[2], v.description, v.unit) == meaning
-    ]
-    return [name for name, v in alike if len(alike) == 1 and _is_possible(value, v)]
+    """The parameter of a meaning, where there is one and it may have the value."""
+    alike = bench.parameters_of(meaning)
+    return [name for name, v in alike.items() if len(alike) == 1 and _is_possible(value, v)]
 
 
 def _is_possible(value: float, parameter: Variable) -> bool:

@@ -103,8 +103,8 @@ class DefaultExperiment:
 
 
 @dataclass(eq=False, repr=False)
-class SimpleType:
-    """A declared type; ``items`` are the names and numbers of an enumeration."""
+class Quantity:
+    """What is stated of the numbers of a type or of a variable, as texts."""
 
     unit: str | None
     displayUnit: str | None
@@ -112,11 +112,17 @@ class SimpleType:
     min: str | None
     max: str | None
     nominal: str | None
+
+
+@dataclass(eq=False, repr=False)
+class SimpleType(Quantity):
+    """A declared type; ``items`` are the names and numbers of an enumeration."""
+
     items: Sequence[tuple[str, str]]
 
 
 @dataclass(eq=False, repr=False)
-class ModelVariable:
+class ModelVariable(Quantity):
     """A variable; numbers are texts, and an array has several in one.
 
     Attributes:
@@ -133,12 +139,6 @@ class ModelVariable:
     causality: str
     variability: str
     start: str | list[str | None] | None
-    unit: str | None
-    displayUnit: str | None
-    quantity: str | None
-    min: str | None
-    max: str | None
-    nominal: str | None
     declaredType: SimpleType | None
     shape: tuple[int, ...] = ()
     derivative: ModelVariable | None = None

@@ -73,10 +73,8 @@ def family_table(models: FittedModels, probabilities: Posterior) -> FamilyTable:
 
 def credibility(models: FittedModels) -> dict[str, float]:
     """How far each family of an answer that leaves structure is believed, by what it is worth beside what is left."""
-    effects, unexplained = (
-        models.path[-1].effects if models.path else (),
-        unexplained_rms(models.last),
-    )
+    effects = models.path[-1].effects if models.path else ()
+    unexplained = unexplained_rms(models.last)
     sizes = {e: _size(models, effects, (e,)) for e in effects}
     return {models.family[e]: size.credibility(unexplained) for e, size in sizes.items() if size}
 
@@ -107,8 +105,7 @@ def _exchanged(probabilities: Posterior) -> list[tuple[tuple[str, ...], float]]:
                 [*group, other]
             ) >= (probabilities.probability_of_any(group) + _EXCLUSIVE * remaining_families[other]):
                 group.append(other)
-        believed = max(probabilities.credibility.get(f, 1.0) for f in group)
-        groups.append((tuple(group), believed * probabilities.probability_of_any(group)))
+        groups.append((tuple(group), probabilities.believed(group)))
         remaining_families = {f: p for f, p in remaining_families.items() if f not in group}
     return groups
 

@@ -64,8 +64,13 @@ class Posterior:
         as much as a family is worth.
         """
         families = dict.fromkeys(f for e in self.explanations for f in e.families)
-        sums = {f: self.credibility.get(f, 1.0) * self.probability_of_any((f,)) for f in families}
+        sums = {family: self.believed((family,)) for family in families}
         return dict(sorted(sums.items(), key=lambda entry: (-entry[1], entry[0])))
+
+    def believed(self, families: Collection[str]) -> float:
+        """``probability_of_any``, as far as these families are believed."""
+        credibility = max(self.credibility.get(family, 1.0) for family in families)
+        return credibility * self.probability_of_any(families)
 
     def probability_of_any(self, families: Collection[str]) -> float:
         """Probability that at least one of some families is missing, whatever else is."""

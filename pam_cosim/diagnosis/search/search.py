@@ -239,11 +239,11 @@ class Search:
 
     def fit_final(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate | None:
         """The model with just these effects, the last of them without what it does not need; None: it breaks down."""
-        options = {
-            "rows": CRITERIA.search.rows, "screened_starts": 0, "holdout_uncertainty": True
-        }  # fmt: skip
+        rows = CRITERIA.search.rows
         trials = [
-            replace(t.fitted_with(**options), prune=True)
+            replace(
+                t.fitted_with(rows=rows, screened_starts=0, holdout_uncertainty=True), prune=True
+            )
             for t in self._trials([FitRequest(tuple(effects), start)])
         ]
         return next(iter(self._run("to the end", trials)), None)
@@ -284,12 +284,12 @@ class Search:
 
     def without_others(self, c: Candidate, kept: Sequence[str]) -> FitRequest:
         """A fitted model with some of its effects only, and its values then, to first order."""
-        request = FitRequest(tuple(kept), c.fit.values_and_starts)
+        start = c.fit.values_and_starts
         if c.fit.linear is None:
-            return request
+            return FitRequest(tuple(kept), start)
         names, absent, _ = self._absence(c)
         fixed = left_out(kept, names, c.fit.values, absent)
-        return replace(request, second_start=fitted_with(c.fit.linear, fixed)[0])
+        return FitRequest(tuple(kept), start, fitted_with(c.fit.linear, fixed)[0])
 
     def in_order(self, c: Candidate, effects: Sequence[str]) -> Candidate | None:
         """A fitted model as if its effects had been added in this order; None: it would be another model then."""
