@@ -215,8 +215,6 @@ class SearchCriteria:
     """families | that lead: further effects are added to their best models, with all of their members"""
     rounds: int = 8
     """rounds | of fits of models with so many effects, at most"""
-    starts: int = 12
-    """models | the best with as few effects, which a further effect is added to by prediction"""
     step: float = 0.6
     """of the excess | largest predicted remainder with another effect that is tried"""
     most_effects: int = 8

@@ -22,10 +22,7 @@ DECIDING = (
         for file in sorted((ROOT / "pam_cosim/diagnosis" / room).glob("*.py"))
     ),
     *(ROOT / "pam_cosim/fitting" / f"{name}.py" for name in FITTING),
-    *(
-        ROOT / "pam_cosim/ledger" / f"{name}.py"
-        for name in ("estimate", "smoothed_models", "sensor")
-    ),
+    *(ROOT / "pam_cosim/ledger" / f"{name}.py" for name in ("estimate", "smoothed_models")),
     ROOT / "pam_cosim/measurement/noise.py",
     ROOT / "pam_cosim/measurement/white_noise.py",
 )
@@ -78,12 +75,11 @@ DECIDE_NOTHING = {
         "length of a line; of a table",
         "_MOST_LISTED _SMALL_SHARE",
     ),
-    "diagnosis/search/expectation": ("rank of a matrix", "_NOTHING_NEW _WEAK"),
     "diagnosis/search/full_model": (
         "how far a continuation goes in a step",
         "_TURNS _SETTLED _EVALUATIONS _PRECISION _TOLERANCE _BEGIN _WIDE",
     ),
-    "diagnosis/search/predicted_evidence": ("keeps a logarithm finite", "_TINY"),
+    "diagnosis/search/predicted_evidence": ("keeps a quotient finite", "_TINY"),
     "diagnosis/search/reach": ("any place between the bounds will do", "_SHARES"),
     "diagnosis/search/selection": ("how many moves are tried at once", "_FEW"),
     "diagnosis/search/trial": ("time of a compiler", "MOST_ROWS_UNCOMPILED"),
@@ -94,10 +90,6 @@ DECIDE_NOTHING = {
     "fitting/estimate": ("an interval that is printed", "INTERVAL"),
     "fitting/fit": ("names parameters that the data confuse", "STRONG_CORRELATION"),
     "ledger/estimate": ("the ledger describes; the verdict is the same without it", "_NOISE_LEVEL"),
-    "ledger/sensor": (
-        "the same",
-        "_GAIN _OFFSET _LAGS _ROUNDS_WITH_FAULT _PROMISING_SHARE _SETTLED_CHANGE",
-    ),
     "measurement/white_noise": (
         "properties of the normal distribution",
         "MEDIAN_TO_SIGMA _CLIPPED_VARIANCE",

@@ -23,8 +23,13 @@ from blind_cases.prepared import made_case
 _RANKS = 5
 
 
-def solve(which: str, number: int, folder: Path, workers: int) -> dict[str, Any]:
-    """The result of one case. An exception of the generator or of the software becomes `error` with its place."""
+def solve(
+    which: str, number: int, folder: Path, workers: int, without: Sequence[str] = ()
+) -> dict[str, Any]:
+    """The result of one case. An exception of the generator or of the software becomes `error` with its place.
+
+    Stages of the diagnosis can be switched off (`stages`); the result says which of the others did something.
+    """
     result: dict[str, Any] = {
         "set": which,
         "number": number,
@@ -36,13 +41,17 @@ def solve(which: str, number: int, folder: Path, workers: int) -> dict[str, Any]
     except Exception:
         return result | {"error": {"where": "generator", "text": traceback.format_exc()}}
     result["generation_seconds"] = round(time.perf_counter() - start, 2)
+    from benchmarks.hidden_effects import stages
+
+    active = stages.note()
+    stages.leave_out(without)
     before, start, spent = memory(), time.perf_counter(), processor_seconds()
     try:
         result["diagnosis"] = _diagnosis(folder, description, workers)
     except Exception:
         result["error"] = {"where": "diagnosis", "text": traceback.format_exc()}
     result["seconds"] = round(time.perf_counter() - start, 2)
-    used = {"processor_seconds": round(processor_seconds() - spent, 2)}
+    used = {"processor_seconds": round(processor_seconds() - spent, 2), "stages": sorted(active)}
     return result | used | {"megabytes": memory(), "megabytes_before": before}
 
 
@@ -125,11 +134,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--set", dest="which", choices=SEEDS, required=True)
     parser.add_argument("--number", type=int, required=True)
     parser.add_argument("--workers", type=int, default=0)
+    parser.add_argument("--without", nargs="*", default=[], help="stages to switch off")
     parser.add_argument("--keep", type=Path, help="folder in which the data set stays")
     options = parser.parse_args(arguments)
     with redirect_stdout(sys.stderr), tempfile.TemporaryDirectory() as scratch:
         folder = options.keep or Path(scratch) / "data"
-        result = solve(options.which, options.number, folder, options.workers)
+        result = solve(options.which, options.number, folder, options.workers, options.without)
     print(json.dumps(result))
     return 0
 

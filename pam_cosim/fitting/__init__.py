@@ -1,6 +1,6 @@
 """Data set and model -> fitted parameters with intervals."""
 
-from pam_cosim.fitting.bounded_linear import bounded_least_squares, bounded_minimum
+from pam_cosim.fitting.bounded_linear import bounded_least_squares
 from pam_cosim.fitting.chosen_starts import with_starts
 from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.discrepancy import Discrepancy, discrepancies
@@ -59,7 +59,6 @@ __all__ = [
     "check_parameter_file",
     "discrepancies",
     "bounded_least_squares",
-    "bounded_minimum",
     "bounded_step",
     "estimated_starts",
     "estimates",

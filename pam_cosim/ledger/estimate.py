@@ -4,18 +4,16 @@ The free parameters of the data set are estimated again with every missing term:
 is not missing. What is compared are explanations of the same samples by their marginal likelihood, so that a term that
 may be any function of time does not win by being able to:
 
-- the model by itself, and with a fault of one instrument that is the same in all runs (``sensor``);
+- the model by itself;
 - the augmented model: an unknown input in each balance at once, each a random walk whose noise intensity the samples
   choose;
 - where neither reaches the noise, or a balance fails that may stand for one without an unknown input
-  (``Domain.confused``): the same with a law replaced by one that has an unknown input, as the library offers it;
-- where none reaches the noise: the unknown inputs together with a fault of one instrument, whose samples are then left
-  out.
+  (``Domain.confused``): the same with a law replaced by one that has an unknown input, as the library offers it.
 
 What cannot be distinguished is found, not assumed: two unknown inputs that push every state and every signal in the
 same direction at all times are one, and the ledger reports it. Not separated, and not noticed: two missing terms of one
-balance; a term and what a free parameter can imitate of it (``TermSeries.imitated``); a fault that changes from run to
-run and physics; two instruments at fault; a fault of an instrument together with a wrong law that only it shows.
+balance; a term and what a free parameter can imitate of it (``TermSeries.imitated``). A ledger has no instruments: what
+a faulty one reads is entered in the balances that it looks like.
 """
 
 from __future__ import annotations
@@ -32,12 +30,11 @@ from pam_cosim.compiler import ClassTree, read_library
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.ledger.augmented import UnknownInput, augmented_models
-from pam_cosim.ledger.entries import balance_entries, sensor_readings
 from pam_cosim.ledger.explainer import Explainer
 from pam_cosim.ledger.ledger import BalanceEntry, Ledger
-from pam_cosim.ledger.sensor import Unaugmented, additional_fault, try_sensors
 from pam_cosim.ledger.smoothed_models import SmoothedModel, SmoothedModels
 from pam_cosim.ledger.term_series import term_series
+from pam_cosim.ledger.unaugmented import Unaugmented, unaugmented
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import is_fmu, sources_of
 
@@ -95,27 +92,20 @@ class _Estimation:
         """All explanations, the best of them, and the entries that it leaves."""
         base_model = self.models[0]
         problem, states = self.explainer.problem(base_model, ())
-        unaugmented = try_sensors(
-            problem, states, [(n, self.data.signals[n].unit) for n in self.signals]
-        )
+        by_itself = unaugmented(problem, states)
         augmented = self.explainer.explain(base_model, states)
         samples = int(np.isfinite(problem.grid.measured).sum())
         smoothed = [augmented.smoothed.chi2] if augmented else []
-        best = min([unaugmented.chi2, *(f.chi2 for f in unaugmented.faults), *smoothed]) / samples
-        is_open = best > _NOISE_LEVEL
-        replaced = (
-            self._replaced() if is_open or self._is_doubtful(unaugmented, augmented) else None
-        )
-        plain = replaced is not None and replaced.deviance < _NOISE_LEVEL * samples
-        with_fault = self._with_fault() if is_open and not plain else None
-        return self._judged(SmoothedModels(unaugmented, augmented, replaced, with_fault, samples))
+        is_open = min([by_itself.chi2, *smoothed]) / samples > _NOISE_LEVEL
+        doubtful = is_open or self._is_doubtful(by_itself, augmented)
+        replaced = self._replaced() if doubtful else None
+        return self._judged(SmoothedModels(by_itself, augmented, replaced, samples))
 
-    def _is_doubtful(self, unaugmented: Unaugmented, augmented: SmoothedModel | None) -> bool:
+    def _is_doubtful(self, by_itself: Unaugmented, augmented: SmoothedModel | None) -> bool:
         """Whether unknown inputs explain the samples, and one of them may do so for what has none."""
-        by_itself = min([unaugmented.deviance, *(f.deviance for f in unaugmented.faults)])
         return (
             augmented is not None
-            and augmented.smoothed.deviance < by_itself
+            and augmented.smoothed.deviance < by_itself.deviance
             and self._swallows(augmented)
         )
 
@@ -125,36 +115,6 @@ class _Estimation:
             winner for winner in map(self.explainer.explain, self.models[1:]) if winner is not None
         ]
         return min(replacements, key=lambda winner: winner.smoothed.deviance, default=None)
-
-    def _with_fault(self) -> SmoothedModel | None:
-        """The unknown inputs together with a fault of one instrument, the most probable one."""
-        if len(self.signals) < 2:
-            return None
-        models_with_fault = [self._model_with_fault(name) for name in self.signals]
-        return min(
-            (winner for winner in models_with_fault if winner is not None),
-            key=lambda winner: winner.deviance,
-            default=None,
-        )
-
-    def _model_with_fault(self, name: str) -> SmoothedModel | None:
-        """The unknown inputs of what the other signals show, with a fault of the instrument of this one."""
-        explainer, j = self.explainer, self.signals.index(name)
-        explanation = explainer.explain(self.models[0], None, name)
-        if explanation is None:
-            return None
-        smoothed = explanation.smoothed
-        measured = explainer.problem(self.models[0], ())[0].grid.measured[:, j]
-        fault = additional_fault(
-            explanation.problem.grid,
-            (name, self.data.signals[name].unit),
-            measured,
-            smoothed.linear.outputs[:, j],
-            float(explainer.sigma[j]),
-            smoothed.point.free.tolist(),
-        )
-        choice = 2 * float(np.log(len(self.signals)))
-        return replace(explanation, fault=replace(fault, deviance=fault.deviance + choice))
 
     def _swallows(self, explanation: SmoothedModel) -> bool:
         """Whether a term is at work next to a balance without an unknown input, so that it may stand for it."""
@@ -176,7 +136,7 @@ class _Estimation:
 
     def _judged(self, rivals: SmoothedModels) -> Ledger:
         """The ledger that the best explanation leaves."""
-        unaugmented, winner = rivals.unaugmented, rivals.winner
+        winner = rivals.winner
         if rivals.is_confused:
             assert rivals.replaced is not None
             self.notes.append(self._confusion(self._replaced_balance(rivals.replaced)))
@@ -185,22 +145,14 @@ class _Estimation:
             balance for balance, loss in losses.items() if loss > CRITERIA.evidence.very_strong
         ]
         entries = self._entries(rivals, losses)
-        if rivals.believed_fault is not None:
-            signal = rivals.believed_fault.signal
-            self.notes.append(
-                f"the reading of {signal} is not believed: the other balances were kept without it"
-            )
         free = tuple(winner.smoothed.point.free if winner else self.explainer.start)
-        if rivals.best == "sensor" and rivals.fault:
-            free = rivals.fault.free
         after = rivals.chi2 / rivals.samples
         return Ledger(
             model=self.data.model or self.models[0].ode.interface.model,
             entries=tuple(sorted(entries, key=lambda e: (-e.share, -e.explains, e.balance))),
-            readings=tuple(sensor_readings(rivals)),
             failing=tuple(sorted(failing, key=lambda balance: -losses[balance])),
             closed=bool(after <= _NOISE_LEVEL),
-            before=unaugmented.chi2 / rivals.samples,
+            before=rivals.unaugmented.chi2 / rivals.samples,
             after=float(after),
             parameters=dict(zip(self.explainer.free, map(float, free), strict=True)),
             notes=tuple(self.notes),
@@ -221,16 +173,12 @@ class _Estimation:
         """What the best explanation loses without each of its balances."""
         best, winner, deviances = rivals.best, rivals.winner, rivals.deviances
         second = min(deviance for name, deviance in deviances.items() if name != best)
-        if best == "sensor" and rivals.fault is not None:
-            return {"sensor": second - deviances[best]}
         if winner is None:
             return {}
         losses = {
             u.balance: max(winner.without(u)[0] - winner.smoothed.deviance, 0.0)
             for u in winner.unknown_inputs
         }
-        if winner.fault is not None:
-            losses["sensor"] = max(second - deviances[best], 0.0)
         if winner.augmented.replaced:  # the law that was replaced counts too
             alone = len(winner.unknown_inputs) == 1
             winner_balance = (
@@ -247,28 +195,37 @@ class _Estimation:
         """An entry for each balance: what it explains, its part of the loss, and the term over time."""
         total = sum(losses.values())
         shares = {balance: loss / total for balance, loss in losses.items()} if total else {}
-        entries = balance_entries(rivals, shares)
+        entries = self._alone(rivals, shares)
         best_model = rivals.winner or rivals.augmented
-        if rivals.best == "sensor" and rivals.fault is not None:
-            best_model = (
-                self.explainer.explain(self.models[0], None, rivals.fault.signal)
-                or rivals.augmented
-            )
         if best_model is not None:
             for unknown_input in best_model.unknown_inputs:
                 old = entries.get(unknown_input.balance) or BalanceEntry(
                     unknown_input.balance, 0.0, 0.0, 0.0
                 )
                 entries[unknown_input.balance] = self._with_terms(old, best_model, unknown_input)
-        if rivals.fault is not None:
-            entries["sensor"] = BalanceEntry(
-                "sensor",
-                rivals.unaugmented.deviance - rivals.fault.deviance,
-                rivals.explained(rivals.fault.chi2),
-                shares.get("sensor", 0.0),
-                note="an instrument that is off by a constant or a factor, or lags, the same in all runs",
-            )
         return list(entries.values())
+
+    @staticmethod
+    def _alone(rivals: SmoothedModels, shares: Mapping[str, float]) -> dict[str, BalanceEntry]:
+        """What an unknown input in each balance explains by itself; in the place of a law, where it explains more."""
+        entries: dict[str, BalanceEntry] = {}
+        for explanation in filter(None, (rivals.augmented, rivals.replaced)):
+            for unknown_input in explanation.unknown_inputs:
+                balance = unknown_input.balance
+                if balance in entries and explanation is not rivals.replaced:
+                    continue
+                deviance, chi2 = explanation.with_only(unknown_input)
+                entry = BalanceEntry(
+                    balance,
+                    float(rivals.unaugmented.deviance - deviance),
+                    rivals.explained(chi2),
+                    shares.get(balance, 0.0),
+                    unknown_input.unit,
+                    unknown_input.meaning,
+                )
+                if balance not in entries or entry.gain > entries[balance].gain:
+                    entries[balance] = entry
+        return entries
 
     def _with_terms(
         self, entry: BalanceEntry, model: SmoothedModel, unknown_input: UnknownInput

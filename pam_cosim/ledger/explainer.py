@@ -95,7 +95,6 @@ class Explainer:
         self,
         augmented: AugmentedModel,
         unknown_inputs: Sequence[UnknownInput],
-        hidden: str | None = None,
         states: tuple[Array, Array] | None = None,
     ) -> tuple[SmoothingProblem, tuple[Array, Array]]:
         """The smoothing problem of a model, and its states at nodes (N, n) and inside steps (M, n) [SI].
@@ -103,14 +102,9 @@ class Explainer:
         Args:
             augmented: the model.
             unknown_inputs: those that are estimated.
-            hidden: a signal whose samples are left out.
             states: (N, n) and (M, n) of the model without unknown inputs; None: they are integrated.
         """
         grid = self._grid(augmented)
-        if hidden is not None:
-            measured = grid.measured.copy()
-            measured[:, self.signals.index(hidden)] = np.nan
-            grid = replace(grid, measured=measured)
         model = Model(augmented.ode, [u.parameter for u in unknown_inputs], self.free, self.signals)
         prior_deviation = (self.high - self.low) / _RANGE_IN_DEVIATIONS
         none = SmoothingProblem(
@@ -189,14 +183,13 @@ class Explainer:
         self,
         augmented: AugmentedModel,
         states: tuple[Array, Array] | None = None,
-        hidden: str | None = None,
     ) -> SmoothedModel | None:
         """The model with all unknown inputs that act and can be separated; None without any, or if it breaks down."""
-        problem, states = self.problem(augmented, augmented.unknown_inputs, hidden, states)
+        problem, states = self.problem(augmented, augmented.unknown_inputs, states)
         distinct_inputs = self._distinct(augmented, problem, states[0])
         if not distinct_inputs:
             return None
-        problem, _ = self.problem(augmented, distinct_inputs, hidden, states)
+        problem, _ = self.problem(augmented, distinct_inputs, states)
         start = Point(*states, np.zeros((len(states[0]), len(distinct_inputs))), self.start)
         try:
             smoothed = smooth(problem, start, self.deadline)

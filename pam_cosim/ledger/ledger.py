@@ -42,18 +42,17 @@ class BalanceEntry:
     """A balance.
 
     Attributes:
-        balance: as the library calls it, or "sensor".
+        balance: as the library calls it.
         gain: twice the logarithm by which this entry alone makes the samples more probable; negative: it does not pay.
         explains: part of the error beyond the noise that this entry alone takes away, 0 to 1.
         share: what is lost without it in the best explanation, over the sum of the same for all balances.
-        unit: of the term; ``meaning``: what is positive. Empty for a sensor.
-        courses: the missing term in every run; none for a sensor, or where the model has no place for it.
+        unit: of the term; ``meaning``: what is positive.
+        courses: the missing term in every run; none where the model has no place for it.
         units: of what the term can be looked at against.
-        note: what must be known to read it.
         same_as: balances whose missing term would do the same in this model: they may be meant as well.
     """
 
-    json_keys = "balance gain explains share unit meaning size outside note same_as courses"
+    json_keys = "balance gain explains share unit meaning size outside same_as courses"
 
     balance: str
     gain: float
@@ -63,7 +62,6 @@ class BalanceEntry:
     meaning: str = ""
     courses: tuple[TermSeries, ...] = ()
     units: dict[str, str] = field(default_factory=dict)
-    note: str = ""
     same_as: tuple[str, ...] = ()
 
     @property
@@ -84,36 +82,12 @@ class BalanceEntry:
 
 
 @dataclass(frozen=True)
-class SensorReading:
-    """The likeliest fault of one instrument: it reads offset + (1 + gain) y of a lag of y.
-
-    Attributes:
-        signal: the signal, ``unit`` its unit.
-        offset: [unit] at the signal's mean, with its standard deviation.
-        gain: factor minus one, with its standard deviation.
-        lag: time constant [s], good to a third; zero where none helps.
-        evidence: as ``Entry.gain``; ``explains`` as there.
-    """
-
-    signal: str
-    unit: str
-    offset: float
-    offset_deviation: float
-    gain: float
-    gain_deviation: float
-    lag: float
-    evidence: float
-    explains: float
-
-
-@dataclass(frozen=True)
 class Ledger(Printed, Plain):
     """The balances of a model on a data set.
 
     Attributes:
         model: name of the model.
         entries: one a balance, the largest share first.
-        readings: one an instrument, the most probable first.
         failing: the balances that the samples say fail, the largest share first; none if the model is good.
         closed: with them the model meets the samples to the noise; if not, something is missing elsewhere too.
         before: mean square of sample minus model in noise variances; ``after``: with the failing entries.
@@ -122,11 +96,10 @@ class Ledger(Printed, Plain):
         domain: how the balances are described and drawn.
     """
 
-    json_keys = "model entries readings failing closed before after parameters notes"
+    json_keys = "model entries failing closed before after parameters notes"
 
     model: str
     entries: tuple[BalanceEntry, ...]
-    readings: tuple[SensorReading, ...]
     failing: tuple[str, ...]
     closed: bool
     before: float
@@ -162,11 +135,6 @@ class Ledger(Printed, Plain):
             size_text = f", {e.size:.3g} {e.unit} rms" if e.courses else ""
             lines.append(
                 f"  {e.balance:7} share {100 * e.share:5.1f} %, alone {100 * e.explains:5.1f} %{size_text}"
-            )
-        if "sensor" in self.failing:
-            r = self.readings[0]
-            lines.append(
-                f"  reading of {r.signal}: offset {r.offset:.3g} {r.unit}, factor {1 + r.gain:.4g}, lag {r.lag:.2g} s"
             )
         lines += [f"  note: {n}" for n in self.notes]
         return "\n".join(lines)

@@ -8,9 +8,9 @@ import numpy as np
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.ledger.augmented import AugmentedModel, UnknownInput
-from pam_cosim.ledger.sensor import SensorFault, Unaugmented
 from pam_cosim.ledger.smoother import Smoothed, with_some
 from pam_cosim.ledger.smoothing_problem import SmoothingProblem
+from pam_cosim.ledger.unaugmented import Unaugmented
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,6 @@ class SmoothedModel:
         unknown_inputs: those that act.
         free: names of the parameters that are estimated along.
         smoothed: the estimate.
-        fault: of an instrument, where its samples are explained by one and not by the model.
     """
 
     augmented: AugmentedModel
@@ -31,17 +30,6 @@ class SmoothedModel:
     unknown_inputs: tuple[UnknownInput, ...]
     free: tuple[str, ...]
     smoothed: Smoothed
-    fault: SensorFault | None = None
-
-    @property
-    def deviance(self) -> float:
-        """Of all samples; those of a faulty instrument about its fault."""
-        return self.smoothed.deviance + (self.fault.deviance if self.fault else 0.0)
-
-    @property
-    def chi2(self) -> float:
-        """As ``deviance``."""
-        return self.smoothed.chi2 + (self.fault.chi2 if self.fault else 0.0)
 
     def with_only(self, unknown_input: UnknownInput) -> tuple[float, float]:
         """Deviance and chi-square where this one alone acts."""
@@ -61,38 +49,27 @@ class SmoothedModels:
     """All smoothed models of the samples; None where there is none.
 
     Attributes:
-        unaugmented: the model as it is, and with a fault of one instrument.
+        unaugmented: the model as it is.
         augmented: an unknown input in each balance.
         replaced: a law replaced by an unknown input.
-        with_fault: unknown inputs together with a fault of one instrument.
         samples: how many there are.
     """
 
     unaugmented: Unaugmented
     augmented: SmoothedModel | None
     replaced: SmoothedModel | None
-    with_fault: SmoothedModel | None
     samples: int
 
     @property
-    def fault(self) -> SensorFault | None:
-        """The most probable fault of one instrument."""
-        return self.unaugmented.faults[0] if self.unaugmented.faults else None
+    def fitted(self) -> dict[str, SmoothedModel | None]:
+        """Those with unknown inputs by their names."""
+        return {"augmented": self.augmented, "replaced": self.replaced}
 
     @property
     def deviances(self) -> dict[str, float]:
         """Of each explanation by its name; infinite where there is none."""
-        choices = 2 * np.log(max(len(self.unaugmented.faults), 1))
-        fitted_models = {
-            "augmented": self.augmented,
-            "replaced": self.replaced,
-            "with_fault": self.with_fault,
-        }
-        return {
-            "none": self.unaugmented.deviance,
-            "sensor": (self.fault.deviance if self.fault else np.inf) + choices,
-            **{name: model.deviance if model else np.inf for name, model in fitted_models.items()},
-        }
+        smoothed = {n: m.smoothed.deviance if m else np.inf for n, m in self.fitted.items()}
+        return {"none": self.unaugmented.deviance, **smoothed}
 
     @property
     def best(self) -> str:
@@ -105,18 +82,7 @@ class SmoothedModels:
     @property
     def winner(self) -> SmoothedModel | None:
         """The best one, where it has unknown inputs."""
-        return {
-            "augmented": self.augmented,
-            "replaced": self.replaced,
-            "with_fault": self.with_fault,
-        }.get(self.best)
-
-    @property
-    def believed_fault(self) -> SensorFault | None:
-        """The fault of an instrument that is part of the best one."""
-        if self.best == "sensor":
-            return self.fault
-        return self.winner.fault if self.winner else None
+        return self.fitted.get(self.best)
 
     @property
     def is_confused(self) -> bool:
@@ -131,11 +97,7 @@ class SmoothedModels:
     @property
     def chi2(self) -> float:
         """Of the best one."""
-        if self.best == "none":
-            return self.unaugmented.chi2
-        if self.best == "sensor":
-            return self.fault.chi2 if self.fault else np.inf
-        return self.winner.chi2 if self.winner else np.inf
+        return self.winner.smoothed.chi2 if self.winner else self.unaugmented.chi2
 
     def explained(self, chi2: float) -> float:
         """Part of the error beyond the noise that an explanation with this chi-square takes away, 0 to 1."""

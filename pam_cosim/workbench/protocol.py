@@ -28,7 +28,7 @@ verdict: kind, kind_name, families, effects, reason, probability, meaning, instr
     with headline, error, compared, disagreement, not_tried, doubts, summary, parameters, next, learned, missing as the
     report has
     them, and found, a rung.
-ledger: sentence, rows, meanings, readings, notes as the report has them; courses: missing terms over their variables.
+ledger: sentence, rows, meanings, notes as the report has them; courses: missing terms over their variables.
 no_diagnosis: ranking, verdict and ledger are no longer those of the study.
 checked: text, what the data can determine before any fit.
 added: file, text, of the Modelica file that was written.

@@ -21,7 +21,7 @@ from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.diagnosis.search.subject import subject_of
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
-from pam_cosim.ledger import BalanceEntry, Ledger, TermSeries
+from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.domain import Domain
 from rig.named import UNLISTED
@@ -167,8 +167,6 @@ def test_class_is_an_effect_like_any_other(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("failing", "notes", "asked"),
     [
-        (("force", "sensor"), (), ("force",)),
-        (("sensor",), (), ()),
         (("mass",), (), ("mass",)),
         (("mass",), ("either",), ("mass", "energy")),
     ],
@@ -176,14 +174,6 @@ def test_class_is_an_effect_like_any_other(tmp_path: Path) -> None:
 def test_a_term_is_looked_for_where_the_ledger_fails(
     failing: tuple[str, ...], notes: tuple[str, ...], asked: tuple[str, ...]
 ) -> None:
-    course = (make_course(),)
-    entries = [BalanceEntry(b, 9.0, 1.0, 1.0, courses=course) for b in ("force", "mass")]
-    entries.append(BalanceEntry("sensor", 9.0, 1.0, 1.0))
     domain = Domain(confused=(("mass", "energy", "either"),))
-    ledger = Ledger("M", tuple(entries), (), failing, True, 9.0, 1.0, {}, notes, domain)
+    ledger = Ledger("M", (), failing, True, 9.0, 1.0, {}, notes, domain)
     assert suspected(ledger) == asked
-
-
-def make_course() -> TermSeries:
-    time = np.linspace(0.0, 1.0, 5)
-    return TermSeries("run", "fit", time, time, time, {})

@@ -18,7 +18,7 @@ from pam_cosim.ledger import BalanceEntry, Ledger, binned, keep_ledger, mapped
 from pam_cosim.ledger.augmented import AugmentedModel
 from pam_cosim.ledger.explainer import Explainer
 from pam_cosim.ledger.ledger import TermSeries
-from pam_cosim.ledger.sensor import try_sensors
+from pam_cosim.ledger.unaugmented import unaugmented
 from pam_cosim.measurement import DataSet, FreeParameter
 from pam_cosim.model.domain import Domain
 from rig.flow import P_ATM
@@ -38,14 +38,11 @@ BALANCE = {
     "moving_mass:hanging": "force",
     "leak:orifice": "mass",
     "gas_energy:film": "energy",
-    "thermocouple_lag:first_order": "sensor",
-    "pressure_offset:gain": "sensor",
 }
 
 
 PAIRS = {
     "gas_energy:film+elasticity:linear": {"energy", "force"},
-    "pressure_offset:constant+leak:orifice": {"mass", "sensor"},
 }
 
 
@@ -156,20 +153,6 @@ def _check(
     assert np.mean(np.abs(error) < 2 * deviation[kept]) > 0.9
 
 
-@pytest.mark.full
-def test_instrument_fault_has_its_size() -> None:
-    lag = _ledger("thermocouple_lag:first_order").readings[0]
-    assert lag.signal == "T" and lag.lag == pytest.approx(0.15, rel=0.35)
-    offset = _ledger("pressure_offset:constant").readings[0]
-    assert (
-        offset.signal == "p"
-        and abs(offset.offset - 5e3) < 3 * offset.offset_deviation
-        and offset.lag == 0
-    )
-    gain = _ledger("pressure_offset:gain").readings[0]
-    assert gain.signal == "p" and abs(gain.gain - 0.05) < 3 * gain.gain_deviation
-
-
 def test_mass_and_heat_are_said_to_be_one_where_the_gas_law_cannot_tell() -> None:
     ledger = _ledger("leak:orifice")
     entry = ledger.entry("mass")
@@ -214,9 +197,9 @@ def test_stated_values_of_a_run_are_kept(known: bool) -> None:
     values = {"a": 2.0} if known else {"a": 2.0, "a@second": 5.0}
     explainer = Explainer(data, values, [augmented], Domain())
     problem, states = explainer.problem(augmented, ())
-    alone = try_sensors(problem, states, [("y", "1")])
+    alone = unaugmented(problem, states)
     assert alone.chi2 / (2 * len(time)) == pytest.approx(1.0, abs=0.3)
-    assert alone.point.free == pytest.approx([2.0], abs=0.05)
+    assert problem.prior == pytest.approx([2.0], abs=0.05)
 
 
 def test_a_map_ends_where_its_variables_do() -> None:

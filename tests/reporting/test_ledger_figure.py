@@ -22,9 +22,9 @@ def _ledger(places: bool = True) -> Ledger:
     )  # fmt: skip
     entries = (
         force if places else BalanceEntry("force", 100.0, 0.9, 0.75),
-        BalanceEntry("sensor", 10.0, 0.1, 0.25),
+        BalanceEntry("mass", 10.0, 0.1, 0.25),
     )
-    return Ledger("Isotonic", entries, (), ("force", "sensor"), True, 9.0, 1.0, {}, domain=DOMAIN)
+    return Ledger("Isotonic", entries, ("force", "mass"), True, 9.0, 1.0, {}, domain=DOMAIN)
 
 
 def test_shares_and_panels() -> None:
@@ -33,7 +33,7 @@ def test_shares_and_panels() -> None:
         labels = [a.get_ylabel() for a in figure.axes]
         texts = [t.get_text() for t in figure.axes[0].texts]
         bars = [patch.get_width() for patch in figure.axes[0].patches]
-    assert texts == ["force 75 %", "sensor 25 %"] and np.allclose(bars, [0.75, 0.25])
+    assert texts == ["force 75 %", "mass 25 %"] and np.allclose(bars, [0.75, 0.25])
     assert "missing force [N]" in labels and "p_gauge [kPa]" in labels
 
 

@@ -71,8 +71,6 @@ def described(
         base: the fit of the base model. effects: that were added to it. present: the fit of the model with these.
     """
     effort, balances = search.effort.part(_PART), suspected(ledger) if ledger else ()
-    if ledger is not None and ledger.failing and not balances:
-        return None  # an instrument has no term
     starts = [(effects, present)]
     if effects and explained(base, present) < 1 - CRITERIA.evidence.least_share:
         starts.append(((), base))
@@ -82,11 +80,9 @@ def described(
 
 
 def suspected(ledger: Ledger) -> tuple[str, ...]:
-    """The balances that fail and have a term, and those that the samples do not tell from them."""
-    entries = filter(None, map(ledger.entry, ledger.failing))
-    failing = [entry.balance for entry in entries if entry.courses]
+    """The balances that fail, and those that the samples do not tell from them."""
     notes = {hidden for _, hidden, words in ledger.domain.confused if words in ledger.notes}
-    return (*failing, *(notes - {*failing}))
+    return (*ledger.failing, *(notes - {*ledger.failing}))
 
 
 def _learned(

@@ -24,7 +24,7 @@ class EffectProbe:
         effect, family: as its class declares them.
         own_parameters: names of the parameters that it brought.
         linear: the model with it about the fitted base model and the strength that does most good.
-        other_residuals: (m,) each, the residual at the other strengths that were looked at.
+        strength_shows: samples depend on how strong it is, of the strengths that were looked at.
         inactive_parameters: names of own parameters that change no sample, where this was looked at.
         only_unmeasured: it moves a reading that nobody took, and no sample.
     """
@@ -33,7 +33,7 @@ class EffectProbe:
     family: str
     own_parameters: tuple[str, ...]
     linear: Linear
-    other_residuals: tuple[Array, ...] = ()
+    strength_shows: bool = False
     inactive_parameters: tuple[str, ...] = ()
     only_unmeasured: bool = False
 
@@ -41,13 +41,14 @@ class EffectProbe:
     def silent(self) -> bool:
         """Whether no sample depends on the effect: neither on its parameters, nor on how strong it is."""
         places = [i for i, name in enumerate(self.linear.names) if name in self.own_parameters]
-        range_of = (self.linear.high - self.linear.low)[places]
-        moves = [
-            *(self.linear.slopes[:, places] * range_of).T,
-            *(self.linear.residual - other for other in self.other_residuals),
-        ]
-        little = CRITERIA.search.idle * float(self.linear.residual @ self.linear.residual)
-        return all(float(move @ move) < little for move in moves)
+        ranges = (self.linear.high - self.linear.low)[places]
+        moves = (self.linear.slopes[:, places] * ranges).T
+        return not self.strength_shows and all(_is_idle(move, self.linear) for move in moves)
+
+
+def _is_idle(move: Array, base: Linear) -> bool:
+    """Whether samples move by next to nothing, compared with what a model leaves of them."""
+    return float(move @ move) < CRITERIA.search.idle * float(base.residual @ base.residual)
 
 
 @dataclass(frozen=True)
@@ -181,21 +182,15 @@ def probe_effect(
         lambda strength: residual_rows(objective, place(strength), rows), base, strengths.signed
     )
     linear = None
-    for look in sorted(looks, key=lambda look: (_is_negligible(look, base), look.remaining)):
+    for look in sorted(looks, key=lambda look: (_is_idle(look.moved, base), look.remaining)):
         linear = linearised(objective, place(look.strength), rows)
         if linear is not None:
             break
     if linear is None:
         raise SimulationFailure(objective.first_failure)
-    other_residuals = tuple(other.residual for other in looks if other is not look)
-    return EffectProbe(
-        effect, family, tuple(f.name for f in strengths.parameters), linear, other_residuals
-    )
-
-
-def _is_negligible(look: _StrengthTrial, base: Linear) -> bool:
-    """Whether an effect does next to nothing, so that its slopes may say nothing either."""
-    return look.size < CRITERIA.search.idle * float(base.residual @ base.residual)
+    strength_shows = any(not _is_idle(linear.residual - other.residual, linear) for other in looks)
+    own = tuple(f.name for f in strengths.parameters)
+    return EffectProbe(effect, family, own, linear, strength_shows)
 
 
 def _strength_trials(

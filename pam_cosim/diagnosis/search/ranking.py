@@ -32,14 +32,12 @@ class AcceptanceThreshold:
 
     Attributes:
         criterion: at most, as slopes expect it.
-        fitted: at most, as a few steps of a fit make it expected.
         reference: the model that it has to leave much less than; None: it need not.
         specific: it is made of laws alone.
         rival_of: families of the answer that it is to rival: it has to lack one of them; None: it need not.
     """
 
     criterion: float
-    fitted: float
     reference: Candidate | None = None
     specific: bool = False
     rival_of: frozenset[str] | None = None
@@ -161,10 +159,10 @@ class Ranking:
                 first = c
         return len(first.effects)
 
-    def with_one_less(self) -> dict[tuple[str, ...], Candidate]:
+    def with_one_less(self) -> list[Candidate]:
         """The models that lack one of the effects of the best, which has several."""
         best = self.best()
-        return {c.effects: c for c in self._with_one_less_than(best)} if best else {}
+        return self._with_one_less_than(best) if best else []
 
     def has_structure(self, c: Candidate) -> bool:
         """Whether a model leaves structure, in runs that were fitted or in others.
@@ -235,20 +233,20 @@ class Ranking:
         best = self.leader()
         if best is None:
             reached = self.information_criterion(None, scale)
-            return [AcceptanceThreshold(reached, reached)]
+            return [AcceptanceThreshold(reached)]
         reached, worth = self.information_criterion(best, scale), CRITERIA.evidence.very_strong
         if not self.has_structure(best):
             if count > len(best.effects):
                 return []
             # what has the same families can replace the answer, but not rival it: as good is not enough
             families = self.search.families_of(best.effects)
-            rival = AcceptanceThreshold(reached + worth, reached + worth, rival_of=families)
-            return [AcceptanceThreshold(reached, reached), rival]
-        bars = [AcceptanceThreshold(reached, reached, best)]
+            rival = AcceptanceThreshold(reached + worth, rival_of=families)
+            return [AcceptanceThreshold(reached), rival]
+        bars = [AcceptanceThreshold(reached, best)]
         if not self.is_specific(best.effects):
             law = self.leader(specific=True)
             reached = self.information_criterion(law, scale)
-            bars.append(AcceptanceThreshold(reached, reached, law, specific=True))
+            bars.append(AcceptanceThreshold(reached, law, specific=True))
         return bars
 
     def answer(self) -> Candidate | None:

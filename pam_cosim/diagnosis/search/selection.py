@@ -114,7 +114,7 @@ class _Models:
                 p.effect: p.inactive_parameters for p in self.probes if p.inactive_parameters
             },
         )
-        self.predicted.note_probes(self.probes)
+        self.predicted.note_probes(None, self.probes)
 
     def _probe_further(self, best: Candidate) -> None:
         """What further families do beside a model: beside the base model the same parameters may do something else.
@@ -132,9 +132,7 @@ class _Models:
         seen = self.predicted.probed_beside(best.effects)
         names = [name for name in effects if name not in seen]
         if names and not self._is_effort_spent([(*best.effects, name) for name in names]):
-            self.predicted.note_probes_beside(
-                best, self.search.probe(best.fit, best.effects, names)
-            )
+            self.predicted.note_probes(best, self.search.probe(best.fit, best.effects, names))
 
     def try_single(self, count: int) -> None:
         """So many of the effects that promise most by themselves, a few steps, whatever the effort."""
@@ -183,7 +181,7 @@ class _Models:
     def try_full_models(self) -> None:
         """The effects that models with a member of every family need, fitted without the others."""
         first = [
-            e.effects[0] for e in self.predicted.most_promising(len(self.search.available_effects))
+            p.effect for p in self.predicted.most_promising(len(self.search.available_effects))
         ]
         if self._is_effort_spent([]):
             return
@@ -356,8 +354,8 @@ class _Models:
         if count <= _FEW:
             self.improve(count)
             return
-        proposed = [p.prediction for p in self.predicted.proposals(count)]
-        self._try([self.predicted.fit_request(e) for e in proposed])
+        proposed = self.predicted.proposals(count)
+        self._try([self.predicted.fit_request(p) for p in proposed])
         self._finish_best()
 
     def _other_forms(self, effects: Sequence[str], name: str) -> dict[str, tuple[str, ...]]:
@@ -390,7 +388,7 @@ class _Models:
         for _ in range(CRITERIA.search.rounds):
             brief = self.predicted.promising_brief_fits()
             needed = not brief or self.search.effort.spent
-            chosen = [p.prediction for p in self.predicted.proposals(count)] if needed else []
+            chosen = self.predicted.proposals(count) if needed else []
             if not (brief or chosen) or self._is_effort_spent(
                 [*(c.effects for c in brief), *(e.effects for e in chosen)]
             ):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from pam_cosim.ledger import BalanceEntry, Ledger, SensorReading
+from pam_cosim.ledger import BalanceEntry, Ledger
 from pam_cosim.model.domain import Domain
 from pam_cosim.reporting.account.wording import NOTHING, number, percent, quantity_text
 from pam_cosim.wording import enumeration, words
@@ -18,7 +18,6 @@ def ledger_words(ledger: Ledger) -> dict[str, Any]:
         "sentence": ledger_sentence(ledger),
         "rows": [_row(e) for e in ledger.entries],
         "meanings": [_sign(e) for e in ledger.entries if e.meaning],
-        "readings": [_reading(r) for r in ledger.readings],
         "notes": [*ledger.notes],
     }
 
@@ -30,7 +29,7 @@ def ledger_sentence(ledger: Ledger) -> str:
             "No balance is significantly violated: a free time-varying term in any balance does not improve the "
             "likelihood enough."
         )
-    names = [_name(b, ledger) for b in ledger.failing]
+    names = [f"the {words(balance)} balance" for balance in ledger.failing]
     errors = f"mean square error {number(ledger.before)} → {number(ledger.after)} noise variances"
     remainder = (
         "With what is missing there the model meets the samples to the noise"
@@ -45,15 +44,9 @@ def ledger_line(ledger: Ledger) -> str:
     if not ledger.failing:
         return "no balance is significantly violated"
     large = [entry for entry in ledger.entries if entry.share >= _SHOWN]
-    shares = ", ".join(f"{_name(part.balance, ledger)} {percent(part.share)}" for part in large)
+    shares = ", ".join(f"the {words(part.balance)} balance {percent(part.share)}" for part in large)
     remainder = "" if ledger.closed else "; something is missing elsewhere too"
     return f"share of the error in {shares}{remainder}"
-
-
-def _name(balance: str, ledger: Ledger) -> str:
-    if balance == "sensor" and ledger.readings:
-        return f"the reading of {ledger.readings[0].signal}"
-    return f"the {words(balance)} balance"
 
 
 def _row(entry: BalanceEntry) -> dict[str, str]:
@@ -69,22 +62,12 @@ def _row(entry: BalanceEntry) -> dict[str, str]:
         "explains": percent(entry.explains),
         "size": quantity_text(entry.size, entry.unit) if has_size else NOTHING,
         "outside": percent(entry.outside) if has_size else NOTHING,
-        "note": "; ".join(t for t in (entry.note, equivalents) if t),
+        "note": equivalents,
     }
 
 
 def _sign(entry: BalanceEntry) -> str:
     return f"{words(entry.balance).capitalize()}: {entry.meaning[:1].lower()}{entry.meaning[1:]}"
-
-
-def _reading(r: SensorReading) -> dict[str, str]:
-    return {
-        "signal": r.signal,
-        "offset": f"{quantity_text(r.offset, r.unit)} ± {quantity_text(r.offset_deviation, r.unit, 2)}",
-        "factor": f"{number(1 + r.gain, 4)} ± {number(r.gain_deviation, 2)}",
-        "lag": quantity_text(r.lag, "s", 2) if r.lag else "none",
-        "explains": percent(r.explains),
-    }
 
 
 def telling_entries(ledger: Ledger) -> list[BalanceEntry]:

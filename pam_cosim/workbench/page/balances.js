@@ -36,15 +36,6 @@ export class Balances {
       table(["balance", "#share", "#explains alone", "#missing term, rms", "#outside two sd", "to know"], rows),
       ...courses,
       ...(ledger.meanings?.length ? [make("p", { class: "soft" }, `Signs. ${ledger.meanings.join(". ")}.`)] : []),
-      ...(ledger.readings?.length
-        ? [
-            make("h3", {}, "If it were an instrument"),
-            table(
-              ["reading of", "#offset", "#factor", "#lag", "#explains alone"],
-              ledger.readings.map((r) => [r.signal, r.offset, r.factor, r.lag, r.explains]),
-            ),
-          ]
-        : []),
       make(
         "ul",
         {},
