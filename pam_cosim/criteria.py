@@ -196,7 +196,7 @@ class SearchCriteria:
     first_tried: int = 12
     """effects | with the best predicted criterion, which are tried alone first"""
     not_linear: float = 0.05
-    """of a reduction | part of a linearised prediction that is lost: models are not linear"""
+    """of a gain | error of a linearised prediction: models are not linear"""
     stated_ratio: tuple[float, float, float] = (0.5, 1.05, 2.0)
     """1 | of a parameter to its stated value: at least, at the start of a search, at most"""
     looks: int = 8
@@ -213,10 +213,10 @@ class SearchCriteria:
     """models | fitted before the next are chosen"""
     leading_families: int = 3
     """families | that lead: further effects are added to their best models, with all of their members"""
+    starts: int = 12
+    """models | the best of their families, which a further effect is added to by prediction"""
     rounds: int = 8
     """rounds | of fits of models with so many effects, at most"""
-    step: float = 0.6
-    """of the excess | largest predicted remainder with another effect that is tried"""
     most_effects: int = 8
     """effects | in one explanation, at most"""
     evaluations: int = 40

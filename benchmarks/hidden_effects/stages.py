@@ -49,28 +49,12 @@ STAGES: dict[str, Stage] = {
     "outliers beside the best model": Stage(
         "diagnosis.search.search", "Search.without_outliers", lambda self, _: self
     ),
-    "a scale of what is possible": Stage(
-        "diagnosis.search.ranking", "Ranking.optimistic_scale", lambda self: self.scale
-    ),
-    "the best of laws beside the best": Stage(
+    "models of other families": Stage(
         "diagnosis.search.ranking",
-        "Ranking.leader",
-        lambda self, specific=False: (
-            None if specific else _original("the best of laws beside the best")(self)
-        ),
-    ),
-    "other families as parents": Stage(
-        "diagnosis.search.ranking", "Ranking.of_each_families", lambda *_: []
-    ),
-    "rivals of the answer": Stage(
-        "diagnosis.search.ranking",
-        "Ranking.acceptance_thresholds",
-        lambda *given: [t for t in _original("rivals of the answer")(*given) if t.rival_of is None],
-    ),
-    "least expected reduction": Stage(
-        "diagnosis.search.predicted_evidence",
-        "_expects_large_reduction",
-        lambda *_: True,
+        "Ranking.leading",
+        lambda self, count: [
+            c for c in [self.leader()] if c is not None and len(c.effects) == count
+        ],
     ),
     "coloured noise": Stage("diagnosis.judgement.evidence", "_may_be_drift", lambda _: False),
     "signals that were not fitted": Stage(
@@ -82,12 +66,6 @@ STAGES: dict[str, Stage] = {
     ),
     "coefficients held at zero": Stage(
         "diagnosis.search.trial", "pruned", lambda _, __, ___, ____, full, _____: full
-    ),
-    "parameters that move nothing": Stage(
-        "diagnosis.search.trial", "idle_parameters", lambda *_: ()
-    ),
-    "readings that nobody took": Stage(
-        "diagnosis.search.trial", "moves_only_unmeasured", lambda *_: False
     ),
     "start values a decade away": Stage("diagnosis.search.trial", "_start_points", lambda _: []),
     "folds": Stage("diagnosis.diagnose", "folds_of", _nothing),

@@ -203,7 +203,9 @@ class LinearWorld(Search):
 
 def world(hidden: Mapping[str, float], **nature: Any) -> LinearWorld:
     """A world with these effects hidden; ``nature``: further attributes of it."""
-    return LinearWorld(TREE, "Test", CATALOGUE, None, hidden=hidden, **nature)  # type: ignore[arg-type]
+    return LinearWorld(
+        TREE, "Test", CATALOGUE, SimpleNamespace(is_static=False), hidden=hidden, **nature
+    )  # type: ignore[arg-type]
 
 
 def _comparison(chi2: Mapping[str, float]) -> Any:

@@ -1,9 +1,8 @@
-"""What recordings cannot show of an effect is not fitted: lags at rest, readings that nobody took."""
+"""What points at rest cannot show of an effect is not fitted: lags."""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -47,34 +46,12 @@ def test_points_at_rest_tell_no_lag_of_a_load_cell_that_has_a_gain_too(
 ) -> None:
     search, base = at_rest
     general, lag, offset = search.probe(base, (), ["GeneralLoadCell", "ForceLag", "ForceOffset"])
-    assert (
-        lag.silent and not general.silent and not offset.silent and offset.inactive_parameters == ()
-    )
-    assert [name.rpartition(".")[2] for name in general.inactive_parameters] == ["tau", "r"]
-    without = replace(search, inactive_parameters={"GeneralLoadCell": general.inactive_parameters})
+    assert lag.silent and not general.silent and not offset.silent and offset.idle_parameters == ()
+    assert [name.rpartition(".")[2] for name in general.idle_parameters] == ["tau", "r"]
+    without = replace(search, inactive_parameters={"GeneralLoadCell": general.idle_parameters})
     assert without.cost["GeneralLoadCell"] == search.cost["GeneralLoadCell"] - 2
     (candidate,) = without.fit_briefly([searches.FitRequest(("GeneralLoadCell",), base.values)])
-    left = set(general.own_parameters) - set(general.inactive_parameters)
-    assert left <= set(candidate.fit.parameters) and not set(general.inactive_parameters) & set(
+    left = set(general.own_parameters) - set(general.idle_parameters)
+    assert left <= set(candidate.fit.parameters) and not set(general.idle_parameters) & set(
         candidate.fit.parameters
     )
-
-
-def test_a_thermometer_that_nobody_read_has_no_effect(tmp_path: Path) -> None:
-    """Its effects move the reading alone. Heat of the wall may wait for a gas that feels it, and a leak moves all."""
-    time = np.linspace(0.0, 4.0, 81)
-    p = 200.0 * (1.0 - np.exp(-time / 0.5)) + np.random.default_rng(2).normal(0.0, 0.5, len(time))
-    rows = "".join(f"{a:.3f},0.5,400,{b:.3f}\n" for a, b in zip(time, p, strict=True))
-    (tmp_path / "a.csv").write_text("time [s],u_in [A],p_supply [kPa],p [kPa]\n" + rows)
-    (tmp_path / "experiment.toml").write_text(
-        'model = "PneumaticMuscle.Benches.TankFilling"\n[signals.p]\nsigma = "0.5 kPa"\n[[runs]]\nfile = "a.csv"\n'
-    )
-    search, base = looked_at(pam.read(tmp_path))
-    names = [
-        e.name
-        for e in search.available_effects
-        if e.family in ("temperature_sensor", "thermocouple_lag")
-    ]
-    probes = {p.effect: p for p in search.probe(base, (), [*names, "WarmWall", "OrificeLeak"])}
-    assert names and all(probes[name].only_unmeasured for name in names)
-    assert not probes["OrificeLeak"].only_unmeasured and not probes["WarmWall"].only_unmeasured

@@ -48,9 +48,10 @@ class FittedModels:
         """Of the evidence: the noise as the best model leaves it."""
         return noise_scale([self.base, *(c.fit for c in self.tried)])
 
-    def criterion(self, c: Candidate) -> float:
-        """The information criterion of a model."""
-        return information_criterion(c.fit, self.scale, c.effects, self.model_space, c)
+    def criterion(self, c: Candidate | None, scale: NoiseScale | None = None) -> float:
+        """The information criterion of a model, None: of the base model; on ``scale`` unless another one is given."""
+        fit, effects = (c.fit, c.effects) if c else (self.base, ())
+        return information_criterion(fit, scale or self.scale, effects, self.model_space, c)
 
     def families(self, c: Candidate) -> frozenset[str]:
         """The families of a model's effects."""
@@ -75,9 +76,10 @@ class FittedModels:
         """The best model of each set of families, of those that are hardly worse than the answer; best first."""
         limit = self.criterion(self.path[-1]) + CRITERIA.evidence.very_strong
         close_models = (c for c in self.best_of_each(models).values() if self.criterion(c) < limit)
-        return self._ordered(close_models)
+        return self.ordered(close_models)
 
-    def _ordered(self, models: Iterable[Candidate]) -> list[Candidate]:
+    def ordered(self, models: Iterable[Candidate]) -> list[Candidate]:
+        """The best first."""
         return sorted(models, key=lambda c: (self.criterion(c), c.effects))
 
     @property
@@ -102,4 +104,4 @@ class FittedModels:
     def nearest(self) -> list[Candidate]:
         """The models with most evidence, one of each set of families: what is left where each leaves structure."""
         fitted = self.best_of_each(c for c in self.tried if not c.brief).values()
-        return self._ordered(fitted)[:MOST_RIVALS]
+        return self.ordered(fitted)[:MOST_RIVALS]

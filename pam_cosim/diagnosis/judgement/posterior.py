@@ -14,11 +14,7 @@ from math import exp, nan
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
-from pam_cosim.diagnosis.judgement.evidence import (
-    has_structure,
-    information_criterion,
-    missed_signals,
-)
+from pam_cosim.diagnosis.judgement.evidence import has_structure, missed_signals
 from pam_cosim.diagnosis.judgement.fitted_models import FittedModels
 from pam_cosim.fitting import Fit
 
@@ -107,8 +103,7 @@ def posterior(models: FittedModels, doubts: Collection[str]) -> Posterior:
         if not c.brief and len(c.effects) <= most and not models.is_refuted(c)
     ]
     best = models.best_of_each([*counted, *answer])
-    criterion_of_base = information_criterion(models.base, models.scale, (), models.model_space)
-    criteria = {frozenset[str](): criterion_of_base} | {
+    criteria = {frozenset[str](): models.criterion(None)} | {
         f: models.criterion(c) for f, c in best.items()
     }
     criterion_of_answer = criteria[models.families(answer[0]) if answer else frozenset()]

@@ -120,17 +120,12 @@ def near_absence(free: Free, absent: float | None) -> Free:
         return replace(
             free, prior=Prior((free.low + free.high) / 2, (free.high - free.low) / _WIDE)
         )
-    if abs(absent) > abs(free.start) and absent * free.start > 0:
+    if 0 < free.start < absent:
         start = free.start * (absent / free.start) ** (1 - _BEGIN)
-        prior = Prior(absent, abs(log(absent / free.start)), logarithmic=True)
-        return replace(
-            free,
-            transform="log",
-            low=min(free.low, absent),
-            high=max(free.high, absent),
-            start=start,
-            prior=prior,
-        )
+        prior = Prior(absent, log(absent / free.start), logarithmic=True)
+        low = free.low if free.low > 0 else free.start / CRITERIA.fit.log_ratio
+        high = max(free.high, absent)
+        return replace(free, transform="log", low=low, high=high, start=start, prior=prior)
     typical = abs(free.start - absent) if free.prior is None else free.prior.sd
     return replace(
         free,

@@ -25,8 +25,6 @@ class EffectProbe:
         own_parameters: names of the parameters that it brought.
         linear: the model with it about the fitted base model and the strength that does most good.
         strength_shows: samples depend on how strong it is, of the strengths that were looked at.
-        inactive_parameters: names of own parameters that change no sample, where this was looked at.
-        only_unmeasured: it moves a reading that nobody took, and no sample.
     """
 
     effect: str
@@ -34,16 +32,19 @@ class EffectProbe:
     own_parameters: tuple[str, ...]
     linear: Linear
     strength_shows: bool = False
-    inactive_parameters: tuple[str, ...] = ()
-    only_unmeasured: bool = False
+
+    @property
+    def idle_parameters(self) -> tuple[str, ...]:
+        """Names of own parameters that change no sample."""
+        moves = dict(zip(self.linear.names, self.linear.slopes.T, strict=True))
+        ranges = dict(zip(self.linear.names, self.linear.high - self.linear.low, strict=True))
+        own = self.own_parameters
+        return tuple(name for name in own if _is_idle(moves[name] * ranges[name], self.linear))
 
     @property
     def silent(self) -> bool:
         """Whether no sample depends on the effect: neither on its parameters, nor on how strong it is."""
-        places = [i for i, name in enumerate(self.linear.names) if name in self.own_parameters]
-        ranges = (self.linear.high - self.linear.low)[places]
-        moves = (self.linear.slopes[:, places] * ranges).T
-        return not self.strength_shows and all(_is_idle(move, self.linear) for move in moves)
+        return not self.strength_shows and self.idle_parameters == self.own_parameters
 
 
 def _is_idle(move: Array, base: Linear) -> bool:

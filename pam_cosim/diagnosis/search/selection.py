@@ -101,19 +101,12 @@ class _Models:
         if self.search.failed and not self.probes:
             failed = self.search.failed[-1]
             raise SimulationFailure(f"no effect could be tried; {failed.effect}: {failed.failure}")
-        # What shows in time alone, or in a reading that nobody took, does so beside no effect.
-        silent = frozenset(
-            p.effect
-            for p in self.probes
-            if p.only_unmeasured or (p.silent and self.search.data.is_static)
-        )
-        self.ranking.search = replace(
-            self.search,
-            undetectable=silent,
-            inactive_parameters={
-                p.effect: p.inactive_parameters for p in self.probes if p.inactive_parameters
-            },
-        )
+        if self.search.data.is_static:  # what shows in time alone does so beside no effect
+            idle = {p.effect: p.idle_parameters for p in self.probes if not p.silent}
+            silent = frozenset(p.effect for p in self.probes if p.silent)
+            self.ranking.search = replace(
+                self.search, undetectable=silent, inactive_parameters=idle
+            )
         self.predicted.note_probes(None, self.probes)
 
     def _probe_further(self, best: Candidate) -> None:
@@ -171,12 +164,12 @@ class _Models:
             self.ranking.base = self.base.against(data)
             for names, c in self.fitted.items():
                 self.fitted[names] = replace(c, fit=c.fit.against(data))
-            self.ranking.update_scale()
+            self.ranking.update()
 
     def has_general_answer(self) -> bool:
         """Whether a general member leads, which may say what several laws say together."""
         best = self.ranking.best()
-        return best is not None and not self.ranking.is_specific(best.effects)
+        return best is not None and not self.search.general.isdisjoint(best.effects)
 
     def try_full_models(self) -> None:
         """The effects that models with a member of every family need, fitted without the others."""
@@ -208,7 +201,7 @@ class _Models:
             best = self.fitted.get(fewer.effects)
         for names in [n for n in self.fitted if len(n) > CRITERIA.search.most_effects]:
             del self.fitted[names]  # they only led the way
-        self.ranking.update_scale()
+        self.ranking.update()
         self._finish_best()
 
     def refine(self) -> None:
@@ -229,9 +222,6 @@ class _Models:
                 exchanged = not few
                 self._exchange_members(best)
                 self._try(self._requests(best, self.search.simpler_laws(best)))
-            law = self.ranking.leader(specific=True)
-            if few and law is not None and law is not best:
-                self._exchange_members(law)  # what a general member says, laws may say
             self._finish_promising(best)
             self._leave_out(best)
             if not self._leads(best):
@@ -252,11 +242,7 @@ class _Models:
 
     def _finish_best(self) -> None:
         """Fits to the end what is best after a few steps, if it may lead."""
-        best = min(
-            self.fitted.values(),
-            key=lambda c: (self.ranking.information_criterion(c), c.effects),
-            default=None,
-        )
+        best = next(iter(self.ranking.models.ordered(self.fitted.values())), None)
         if best is not None and best.brief:
             self._finish_within_effort([best])
 
@@ -318,19 +304,15 @@ class _Models:
 
     def _best_of(self, sets: Sequence[tuple[str, ...]]) -> Candidate | None:
         """The best of some sets of effects that were fitted."""
-        candidates = [c for effects in sets if (c := self.fitted.get(effects)) is not None]
-        return min(
-            candidates,
-            key=lambda c: (self.ranking.information_criterion(c), c.effects),
-            default=None,
-        )
+        candidates = (c for effects in sets if (c := self.fitted.get(effects)) is not None)
+        return next(iter(self.ranking.models.ordered(candidates)), None)
 
     def _leave_out(self, best: Candidate) -> None:
         """The model without each of its effects; to the end where that decides whether the effect matters.
 
         Of many effects the one is left out that is needed least.
         """
-        few = len(best.effects) <= _FEW
+        few = len(best.effects) <= _FEW + 1  # those that are fitted have one less
         each = self._requests(best, filter(None, _each_left_out(best)))
         requests = each if few else [self.search.reduced(best, len(best.effects) - 1)]
         if not requests or self._is_effort_spent([]):
@@ -420,7 +402,7 @@ class _Models:
             models = self._one_by_one(best)
             if not models or {*models[-1].effects} != {*best.effects}:
                 del self.fitted[best.effects]
-                self.ranking.update_scale()
+                self.ranking.update()
                 continue
             answer = self.ranking.answer()  # one of the models on the way may turn out to be enough
             if best.effects in finished or answer is None or {*answer.effects} == {*best.effects}:
@@ -432,7 +414,7 @@ class _Models:
         effects = best.effects if len(best.effects) <= _FEW else self.search.by_need(best)
         start = best.fit.values_and_starts
         models = one_by_one(self.search, self.base, effects, start, self.fitted)
-        self.ranking.update_scale()
+        self.ranking.update()
         return models
 
     def _record(self, candidates: Sequence[Candidate]) -> None:
@@ -442,7 +424,7 @@ class _Models:
             to_the_end = old is not None and old.brief and not c.brief
             if old is None or to_the_end or c.fit.chi2_minimised <= old.fit.chi2_minimised:
                 self.fitted[c.effects] = c
-        self.ranking.update_scale()
+        self.ranking.update()
 
 
 def _each_left_out(c: Candidate) -> list[tuple[str, ...]]:

@@ -16,7 +16,6 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Attempt, Candidate, FailedTrial
 from pam_cosim.diagnosis.search.probing import EffectProbe, StatedEffect, Strengths, probe_effect
 from pam_cosim.diagnosis.search.pruning import pruned
-from pam_cosim.diagnosis.search.reach import idle_parameters, moves_only_unmeasured
 from pam_cosim.errors import InputError, ModelChange, SimulationFailure
 from pam_cosim.fitting import (
     Fit,
@@ -218,13 +217,8 @@ def _probe(trial: Trial, simulator: Simulator) -> EffectProbe:
     assert trial.reference is not None
     objective = _objective(trial, simulator)
     strengths = _strengths(trial, objective)
-    probe = probe_effect(
-        trial.effect.name, trial.effect.family, objective, trial.reference, strengths
-    )
-    idle = idle_parameters(probe, objective) if trial.data.is_static else ()
-    return replace(
-        probe, inactive_parameters=idle, only_unmeasured=moves_only_unmeasured(probe, objective)
-    )
+    effect = trial.effect
+    return probe_effect(effect.name, effect.family, objective, trial.reference, strengths)
 
 
 def _strengths(trial: Trial, objective: Objective) -> Strengths:
