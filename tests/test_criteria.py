@@ -80,6 +80,7 @@ DECIDE_NOTHING = {
         "_TURNS _SETTLED _EVALUATIONS _PRECISION _TOLERANCE _BEGIN _WIDE",
     ),
     "diagnosis/search/predicted_evidence": ("keeps a quotient finite", "_TINY"),
+    "diagnosis/search/probing": ("any place between the bounds will do", "_SHARE"),
     "diagnosis/search/selection": ("how many moves are tried at once", "_FEW"),
     "diagnosis/search/trial": ("time of a compiler", "MOST_ROWS_UNCOMPILED"),
     "fitting/combinations": (

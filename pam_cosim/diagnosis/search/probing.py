@@ -15,6 +15,8 @@ from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Free, Linear, linearised, residual_rows
 from pam_cosim.fitting.objective import Objective
 
+_SHARE = 0.3  # of the way between bounds: anywhere but at an end will do
+
 
 @dataclass(frozen=True)
 class EffectProbe:
@@ -25,6 +27,8 @@ class EffectProbe:
         own_parameters: names of the parameters that it brought.
         linear: the model with it about the fitted base model and the strength that does most good.
         strength_shows: samples depend on how strong it is, of the strengths that were looked at.
+        elsewhere: the model with its own parameters between their bounds, of points at rest: a parameter may move
+            nothing where another is zero, as the reach of a force that has no size.
     """
 
     effect: str
@@ -32,14 +36,18 @@ class EffectProbe:
     own_parameters: tuple[str, ...]
     linear: Linear
     strength_shows: bool = False
+    elsewhere: Linear | None = None
 
     @property
     def idle_parameters(self) -> tuple[str, ...]:
         """Names of own parameters that change no sample."""
-        moves = dict(zip(self.linear.names, self.linear.slopes.T, strict=True))
-        ranges = dict(zip(self.linear.names, self.linear.high - self.linear.low, strict=True))
-        own = self.own_parameters
-        return tuple(name for name in own if _is_idle(moves[name] * ranges[name], self.linear))
+        looks = [self.linear, *([self.elsewhere] if self.elsewhere else [])]
+        return tuple(
+            name
+            for at, name in enumerate(self.linear.names)
+            if name in self.own_parameters
+            and all(_is_idle(x.slopes[:, at] * (x.high - x.low)[at], self.linear) for x in looks)
+        )
 
     @property
     def silent(self) -> bool:
@@ -191,7 +199,13 @@ def probe_effect(
         raise SimulationFailure(objective.first_failure)
     strength_shows = any(not _is_idle(linear.residual - other.residual, linear) for other in looks)
     own = tuple(f.name for f in strengths.parameters)
-    return EffectProbe(effect, family, own, linear, strength_shows)
+    elsewhere = None
+    if objective.data.is_static:
+        places = {f.name: f.low + _SHARE * (f.high - f.low) for f in strengths.parameters}
+        values = (places.get(f.name, f.start) for f in objective.free)
+        z = np.array([f.to_z(v) for f, v in zip(objective.free, values, strict=True)])
+        elsewhere = linearised(objective, z, rows)
+    return EffectProbe(effect, family, own, linear, strength_shows, elsewhere)
 
 
 def _strength_trials(
