@@ -169,9 +169,10 @@ class PredictedEvidence:
         """The models that those of so many effects are predicted from: what leads, and the leader with one less."""
         if count == 1:
             return [None]
-        leading = self.ranking.leading(count - 1)[: CRITERIA.search.starts]
-        less = (c for c in self.ranking.with_one_less() if len(c.effects) == count - 1)
-        return [*{c.effects: c for c in (*leading, *less)}.values()]
+        leader = self.ranking.leader()
+        less = self.ranking.with_one_less_than(leader) if leader else []
+        starts = [*self.ranking.leading(count - 1)[: CRITERIA.search.starts], *less]
+        return [*{c.effects: c for c in starts if len(c.effects) == count - 1}.values()]
 
     def _with_one_more(
         self, c: Candidate | None, scale: NoiseScale | None = None

@@ -125,21 +125,13 @@ class Ranking:
                 first = c
         return len(first.effects)
 
-    def with_one_less(self) -> list[Candidate]:
-        """The models that lack one of the effects of the leader, which has several."""
-        best = self.leader()
-        return self._with_one_less_than(best) if best else []
-
-    def has_structure(self, c: Candidate) -> bool:
-        """Whether a model leaves structure, in runs that were fitted or in others.
+    def has_structure(self, c: Candidate | None) -> bool:
+        """Whether a model, None: the base model, leaves structure, in runs that were fitted or in others.
 
         The noise is that of the instruments, whatever the model: where nobody stated it, no larger than beside the
         model that leaves least. What a model leaves may look like red noise by itself.
         """
-        return self._leaves_structure(c.fit)
-
-    def _leaves_structure(self, fit: Fit) -> bool:
-        floor = self.noise_floor()
+        fit, floor = c.fit if c else self.base, self.noise_floor()
         return any(
             has_structure(replace(s, noise_floor=min(s.noise_floor, floor)))
             for s in fit.residuals_beyond_uncertainty.values()
@@ -147,8 +139,7 @@ class Ranking:
 
     def unsolved(self) -> bool:
         """Whether the best model leaves structure; where none beats the base model, whether that does."""
-        best = self.best()
-        return self._leaves_structure(self.base if best is None else best.fit)
+        return self.has_structure(self.best())
 
     def leader(self) -> Candidate | None:
         """The model that the search goes on from: the best, or while none beats the base model the nearest to it.
@@ -202,11 +193,12 @@ class Ranking:
             dominant = dominant_effect(self.base, list(self.fitted.values()))
             if dominant is not None:
                 return self.fitted[dominant.effects]
-        while less := [c for c in self._with_one_less_than(best) if not self.matters(best, c)]:
+        while less := [c for c in self.with_one_less_than(best) if not self.matters(best, c)]:
             best = self.models.ordered(less)[0]
         return best
 
-    def _with_one_less_than(self, best: Candidate) -> list[Candidate]:
+    def with_one_less_than(self, best: Candidate) -> list[Candidate]:
+        """The models that lack one of the effects of another, which has several."""
         names = frozenset(best.effects)
         smaller = (c for c in self.fitted.values() if 0 < len(c.effects) == len(names) - 1)
         return [c for c in smaller if names.issuperset(c.effects)]
