@@ -212,7 +212,7 @@ class SearchCriteria:
     together: int = 4
     """models | fitted before the next are chosen"""
     leading_families: int = 3
-    """families | that lead: further effects are added to their best models, with all of their members"""
+    """families | of which a member promises most beside a model, and all of whose members are looked at there"""
     starts: int = 12
     """models | the best of their families, which a further effect is added to by prediction"""
     rounds: int = 8
