@@ -25,13 +25,12 @@ from blind_cases.prepared import made_case
 from pam_cosim import study
 from pam_cosim.catalogue import effect_classes
 from pam_cosim.compiler import read_library
-from pam_cosim.diagnosis.description.explanation import described, ledger_of
+from pam_cosim.diagnosis.description.explanation import described, ledger_of, remaining_chi2
 from pam_cosim.diagnosis.judgement.evidence import leaves_structure
 from pam_cosim.diagnosis.search.effort import Effort
 from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.diagnosis.search.searches import fit_base_model
 from pam_cosim.diagnosis.search.subject import subject_of
-from pam_cosim.fitting import Fit
 
 _SIMULATIONS = 20_000  # of a search, of which a formula may take a part
 
@@ -62,15 +61,14 @@ def explained(which: str, number: int, folder: Path) -> Result:
         result |= {"failing": [[e.balance, *e.same_as] for e in entries], "closed": ledger.closed}
     learned = described(search, ledger, base, (), base)
     result["formula_seconds"] = round(time.process_time() - begin - result["seconds"], 2)
-    result["base"] = _chi2(base)
+    result["base"] = remaining_chi2(base)
     if learned is not None:
-        result["formula"] = [learned.term.balance, learned.term.formula, _chi2(learned.model.fit)]
+        result["formula"] = [
+            learned.term.balance,
+            learned.term.formula,
+            remaining_chi2(learned.model.fit),
+        ]
     return result
-
-
-def _chi2(fit: Fit) -> float:
-    """Of runs that were held out, if there are any."""
-    return fit.residuals["holdout" if fit.residuals["holdout"].samples else "fit"].chi2_reduced
 
 
 def table(results: Sequence[Result]) -> str:

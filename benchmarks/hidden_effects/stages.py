@@ -1,7 +1,7 @@
 """What each stage of a diagnosis is worth: switches stages off, and notes where they did anything.
 
 A stage is a function of the software with another one that leaves it out. Where a stage did nothing, the diagnosis
-without it is the same, and need not run: `--note-stages` of `one` says in its result which stages did something.
+without it is the same, and need not run: with `--note-stages` a result of `one` says which stages did something.
 """
 
 from __future__ import annotations

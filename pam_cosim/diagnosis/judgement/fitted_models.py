@@ -78,6 +78,10 @@ class FittedModels:
         close_models = (c for c in self.best_of_each(models).values() if self.criterion(c) < limit)
         return self.ordered(close_models)
 
+    def first(self, models: Iterable[Candidate]) -> Candidate | None:
+        """The best; None of none."""
+        return next(iter(self.ordered(models)), None)
+
     def ordered(self, models: Iterable[Candidate]) -> list[Candidate]:
         """The best first."""
         return sorted(models, key=lambda c: (self.criterion(c), c.effects))

@@ -98,6 +98,11 @@ class Proposal:
         """All effects."""
         return (*self.start.effects, self.effect)
 
+    @cached_property
+    def gain(self) -> float:
+        """What it counts that the fitted runs leave less."""
+        return self.start.gain(self.expected.residual)
+
 
 class PredictedEvidence:
     """What is known of effects beside the models so far.
@@ -121,8 +126,6 @@ class PredictedEvidence:
     def probed_beside(self, effects: tuple[str, ...]) -> Collection[str]:
         """The effects that were looked at beside a model."""
         return self._probes[effects][1] if effects in self._probes else ()
-
-    # ---- what may be better -----------------------------------------------------------------------------------
 
     def most_promising(self, count: int) -> list[Proposal]:
         """So many of the effects that promise most by themselves."""
@@ -235,9 +238,9 @@ class PredictedEvidence:
         choice = self.ranking.search.model_space.cost(p.effects)
         criterion = start.evidence + choice + p.cost * start.penalty
         if hopeful:
-            return criterion - (1 + CRITERIA.search.not_linear) * start.gain(fit.residual)
+            return criterion - (1 + CRITERIA.search.not_linear) * p.gain
         priors = fit.chi2_priors - start.fit.chi2_priors
-        return criterion + priors - (1 - CRITERIA.search.not_linear) * start.gain(fit.residual)
+        return criterion + priors - (1 - CRITERIA.search.not_linear) * p.gain
 
     def fit_request(self, p: Proposal) -> FitRequest:
         """A model to fit: from the fitted one, and the added effect as it was by itself, or as expected."""

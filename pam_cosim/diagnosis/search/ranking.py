@@ -147,10 +147,12 @@ class Ranking:
         Two effects may explain the data together of which neither does anything alone, as a thermometer that lags
         behind a gas with its energy.
         """
-        near = (c for c in self._complete() if self.has_structure(c))
+        best = self.best()
+        if best is not None:
+            return best
         base = self.models.criterion(None)
-        nearer = self.models.ordered(c for c in near if self.models.criterion(c) < base)
-        return self.best() or next(iter(nearer), None)
+        nearer = (c for c in self._complete() if self.models.criterion(c) < base)
+        return self.models.first(filter(self.has_structure, nearer))
 
     def target(self) -> Target:
         """What a further model must come to, to be of interest.
@@ -165,8 +167,8 @@ class Ranking:
             families = self.search.families_of(best.effects)
             return Target(self.models.scale, criterion, criterion, families)
         scale = NoiseScale(max(1.0, self.noise_floor()), 1.0)
-        laws = self.models.ordered(c for c in self._complete() if not c.has_general_member)
-        criteria = [self.models.criterion(c, scale) for c in (best, next(iter(laws), None))]
+        law = self.models.first(c for c in self._complete() if not c.has_general_member)
+        criteria = [self.models.criterion(c, scale) for c in (best, law)]
         return Target(scale, criteria[0], max(criteria), None)
 
     def reaches(self, target: Target, effects: Collection[str], criterion: float) -> bool:

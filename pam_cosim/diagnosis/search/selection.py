@@ -169,7 +169,7 @@ class _Models:
     def has_general_answer(self) -> bool:
         """Whether a general member leads, which may say what several laws say together."""
         best = self.ranking.best()
-        return best is not None and not self.search.general.isdisjoint(best.effects)
+        return best is not None and best.has_general_member
 
     def try_full_models(self) -> None:
         """The effects that models with a member of every family need, fitted without the others."""
@@ -242,7 +242,7 @@ class _Models:
 
     def _finish_best(self) -> None:
         """Fits to the end what is best after a few steps, if it may lead."""
-        best = next(iter(self.ranking.models.ordered(self.fitted.values())), None)
+        best = self.ranking.models.first(self.fitted.values())
         if best is not None and best.brief:
             self._finish_within_effort([best])
 
@@ -305,7 +305,7 @@ class _Models:
     def _best_of(self, sets: Sequence[tuple[str, ...]]) -> Candidate | None:
         """The best of some sets of effects that were fitted."""
         candidates = (c for effects in sets if (c := self.fitted.get(effects)) is not None)
-        return next(iter(self.ranking.models.ordered(candidates)), None)
+        return self.ranking.models.first(candidates)
 
     def _leave_out(self, best: Candidate) -> None:
         """The model without each of its effects; to the end where that decides whether the effect matters.
