@@ -6,6 +6,7 @@ import ctypes
 import math
 import shutil
 import tempfile
+import threading
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
@@ -67,7 +68,7 @@ class SolverStatistics(NamedTuple):
 
 
 class Simulator:
-    """An FMU ready to run, any number of times; a context manager.
+    """An FMU ready to run, any number of times; a context manager. Runs that several threads ask for come one by one.
 
     Args:
         path: a co-simulation FMU of FMI 2.0 or 3.0, of any origin; or the folder that one was unpacked to.
@@ -94,6 +95,7 @@ class Simulator:
         self._units = {name: variable.unit for name, variable in self.interface.variables.items()}
         self._instance: Instance | None = None
         self._stepper: Stepper | None = None
+        self._turn = threading.Lock()  # of a run: the instance holds the values of one
         self._directory = None if self.path.is_dir() else tempfile.mkdtemp(prefix="pam-cosim-fmu-")
         try:
             self._load()
@@ -329,16 +331,17 @@ class Simulator:
             )
             return self._driver.run(request)
 
-        self._end_steps()
-        Simulator.simulations += 1
-        outcome = drive()
-        if outcome.failed in ("fmi2Reset", "fmi3Reset"):
-            self._renew()
+        with self._turn:
+            self._end_steps()
+            Simulator.simulations += 1
             outcome = drive()
-        self._used = True
-        if outcome.ended:  # some remember it when they are reset
-            self._renew()
-        return outcome
+            if outcome.failed in ("fmi2Reset", "fmi3Reset"):
+                self._renew()
+                outcome = drive()
+            self._used = True
+            if outcome.ended:  # some remember it when they are reset
+                self._renew()
+            return outcome
 
     def _check_end(
         self, times: Array, names: Sequence[str], outcome: Outcome, settings: Mapping[str, float]

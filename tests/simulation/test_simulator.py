@@ -7,6 +7,7 @@ import os
 import pickle
 import sys
 import zipfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -41,6 +42,19 @@ def test_runs_are_independent_and_repeat_every_bit() -> None:
         rest = simulator.run(TIMES)
     assert first["y"].tolist() == again["y"].tolist() and first["y"][-1] > 0.5
     assert not rest["y"].any()
+
+
+def test_threads_take_turns() -> None:
+    """Without a turn they set and step one instance together: runs fail, or have values of the other."""
+    with Simulator(models.fmu(models.lag)) as simulator, ThreadPoolExecutor(4) as threads:
+
+        def end(start: float) -> float:
+            return float(simulator.run(many, parameters={"x_start": start})["y"][-1])
+
+        many = np.linspace(0.0, 2.0, 2001)
+        starts = [1.0, 2.0, 3.0, 4.0] * 20
+        alone = {start: end(start) for start in starts[:4]}
+        assert list(threads.map(end, starts)) == [alone[start] for start in starts]
 
 
 def test_start_time() -> None:

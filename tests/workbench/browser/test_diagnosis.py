@@ -16,6 +16,7 @@ from pam_cosim.workbench.steps import Step
 from tests.reporting.synthetic import make_diagnosis
 from tests.workbench.browser.conftest import serving
 from tests.workbench.browser.looking import error, noise, quiet, until
+from tests.workbench.conftest import Window
 
 LONG = 900.0  # s, for a diagnosis on a machine that does other things too
 
@@ -87,7 +88,8 @@ def save_diagnosis(folder: Path) -> None:
     with Session(folder) as session:
         state = session.state
         found = lean(make_diagnosis("identified", state.data))
-        session.back(state.after(Step("diagnose", {}), diagnosis=found))
+        diagnosed = state.after(Step("diagnose", {}), diagnosis=found)
+        Window(session).in_its_thread(lambda: session.back(diagnosed))
         save(session)
 
 
