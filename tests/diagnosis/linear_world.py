@@ -120,15 +120,10 @@ class LinearWorld(Search):
         for e in (KNOWN[name] for name in effects):
             masked = e.family == self.masked and not has
             moved = self._moves("HangingMass" if masked else e.name, "fit")
-            slopes = np.hstack([fitted.linear.slopes, moved])
-            names, values = (
-                (*fitted.linear.names, f"{e.name}.strength"),
-                np.append(fitted.linear.values, 0.5),
-            )
-            limits = np.full(len(names), 1e3)
+            names, limits = (f"{e.name}.strength",), np.full(1, 1e3)
             left = fitted.linear.residual - 0.5 * moved[:, 0]
-            linear = Linear(names, values, -limits, limits, left, slopes)
-            probes.append(EffectProbe(e.name, e.family, (f"{e.name}.strength",), linear))
+            linear = Linear(names, np.full(1, 0.5), -limits, limits, left, moved)
+            probes.append(EffectProbe(e.name, e.family, linear))
         return probes
 
     def full_models(self, base: Fit, promising: Sequence[str]) -> list[FullModel]:

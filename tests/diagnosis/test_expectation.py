@@ -26,7 +26,7 @@ def probed(name: str) -> EffectProbe:
 def test_one_further_effect_is_expected_as_it_is_fitted(before: tuple[str, ...], name: str) -> None:
     model, probe = WORLD.fitted(before), probed(name)
     assert BASE.linear is not None and model.linear is not None
-    alone = effect_alone(BASE.linear, probe.linear, probe.own_parameters)
+    alone = effect_alone(BASE.linear, probe.linear)
     taken = model.residuals["fit"].chi2 - WORLD.fitted((*before, name)).residuals["fit"].chi2
     assert expected(model.linear, alone).reduction == pytest.approx(taken, rel=1e-3, abs=0.1)
 
@@ -35,7 +35,7 @@ def test_an_added_effect_is_expected_where_samples_and_prior_balance() -> None:
     """The squares of both are least where their derivatives cancel, here by hand for one parameter."""
     probe, prior = probed("LinearBladder"), {"LinearBladder.strength": Prior(0.0, 0.05)}
     assert BASE.linear is not None
-    alone = effect_alone(BASE.linear, replace(probe.linear, priors=prior), probe.own_parameters)
+    alone = effect_alone(BASE.linear, replace(probe.linear, priors=prior))
     result = expected(BASE.linear, alone)
     rows = np.hstack([BASE.linear.slopes, moves("LinearBladder", "fit")])
     both = np.vstack([rows, [0.0, 0.0, 20.0]])

@@ -51,7 +51,7 @@ def test_points_at_rest_tell_no_lag_of_a_load_cell_that_has_a_gain_too(
     without = replace(search, inactive_parameters={"GeneralLoadCell": general.idle_parameters})
     assert without.cost["GeneralLoadCell"] == search.cost["GeneralLoadCell"] - 2
     (candidate,) = without.fit_briefly([searches.FitRequest(("GeneralLoadCell",), base.values)])
-    left = set(general.own_parameters) - set(general.idle_parameters)
+    left = set(general.linear.names) - set(general.idle_parameters)
     assert left <= set(candidate.fit.parameters) and not set(general.idle_parameters) & set(
         candidate.fit.parameters
     )

@@ -68,6 +68,7 @@ def test_a_model_that_changes_ends_the_study(monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr("pam_cosim.diagnosis.search.trial.build_source", changed)
     composition = SimpleNamespace(parameters={}, text="", name="Rig")
     data = SimpleNamespace(differentiated=(), fit_runs=())
-    trial = cast(Trial, SimpleNamespace(composition=composition, data=data, files=(), library=""))
+    fields = {"composition": composition, "data": data, "files": (), "library": ""}
+    trial = cast(Trial, SimpleNamespace(**fields, reference=None))
     with pytest.raises(ModelChange):
         attempted(trial, lambda *_: None, brief=True)

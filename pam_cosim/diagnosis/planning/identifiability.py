@@ -192,9 +192,7 @@ class Rows:
 
     def _moves(self, probe: StatedEffect) -> Array:
         """(rows, 1 + k) what an effect does as a whole at its stated strength, and by each of its parameters."""
-        names = {f.name for f in probe.strengths.parameters}
-        columns = [i for i, name in enumerate(probe.linear.names) if name in names]
-        return np.column_stack([probe.courses(self.base)[:, 0], probe.linear.slopes[:, columns]])
+        return np.column_stack([probe.courses(self.base)[:, 0], probe.linear.slopes])
 
     def _known(self, slopes: Array) -> tuple[tuple[ParameterPrecision, ...], tuple[Confused, ...]]:
         covariance = np.linalg.inv(slopes.T @ slopes)

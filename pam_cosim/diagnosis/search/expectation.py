@@ -7,7 +7,7 @@ than a millisecond against the seconds of a fit, so many models are ranked and t
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -16,17 +16,16 @@ from pam_cosim.arrays import Array
 from pam_cosim.fitting import Linear, bounded_step
 
 
-def effect_alone(base: Linear, model: Linear, own_parameters: Collection[str]) -> Linear:
+def effect_alone(base: Linear, model: Linear) -> Linear:
     """An effect by itself: its model less the base model at the same base parameters, with its own parameters only.
 
     Args:
         base: the base model.
-        model: the same with the effect.
-        own_parameters: names of the parameters that the effect brought.
+        model: the same with the effect; parameters that it has not stay where the base model has them.
     """
     values = dict(zip(model.names, model.values, strict=True))
     change = np.array([values.get(n, v) - v for n, v in zip(base.names, base.values, strict=True)])
-    at = [i for i, name in enumerate(model.names) if name in own_parameters]
+    at = [i for i, name in enumerate(model.names) if name not in base.names]
     names = tuple(model.names[i] for i in at)
     return Linear(
         names,

@@ -216,7 +216,7 @@ class PredictedEvidence:
         known = self._expected.get(key)
         if known is None or [*map(id, known[0])] != [*map(id, sources)]:
             pairs = zip(sources[1::2], sources[2::2], strict=True)
-            forms = [effect_alone(*pair, probe.own_parameters) for pair in pairs]
+            forms = [effect_alone(*pair) for pair in pairs]
             moving = [f for f in forms if np.any(f.slopes) or np.any(f.residual)]
             fits = (expected(model, form) for form in moving)
             best = max(fits, key=lambda fit: fit.reduction - fit.chi2_priors, default=None)

@@ -24,35 +24,33 @@ class EffectProbe:
 
     Attributes:
         effect, family: as its class declares them.
-        own_parameters: names of the parameters that it brought.
-        linear: the model with it about the fitted base model and the strength that does most good.
+        linear: the model with it about the fitted base model and the strength that does most good, by the parameters
+            that it brought.
         strength_shows: samples depend on how strong it is, of the strengths that were looked at.
-        elsewhere: the model with its own parameters between their bounds, of points at rest: a parameter may move
-            nothing where another is zero, as the reach of a force that has no size.
+        elsewhere: the same between their bounds, of points at rest: a parameter may move nothing where another is zero,
+            as the reach of a force that has no size.
     """
 
     effect: str
     family: str
-    own_parameters: tuple[str, ...]
     linear: Linear
     strength_shows: bool = False
     elsewhere: Linear | None = None
 
     @property
     def idle_parameters(self) -> tuple[str, ...]:
-        """Names of own parameters that change no sample."""
+        """Names of its parameters that change no sample."""
         looks = [self.linear, *([self.elsewhere] if self.elsewhere else [])]
         return tuple(
             name
             for at, name in enumerate(self.linear.names)
-            if name in self.own_parameters
-            and all(_is_idle(x.slopes[:, at] * (x.high - x.low)[at], self.linear) for x in looks)
+            if all(_is_idle(x.slopes[:, at] * (x.high - x.low)[at], self.linear) for x in looks)
         )
 
     @property
     def silent(self) -> bool:
         """Whether no sample depends on the effect: neither on its parameters, nor on how strong it is."""
-        return not self.strength_shows and self.idle_parameters == self.own_parameters
+        return not self.strength_shows and self.idle_parameters == self.linear.names
 
 
 def _is_idle(move: Array, base: Linear) -> bool:
@@ -79,10 +77,10 @@ class Strengths:
         """The own parameters by name, within their bounds."""
         return {f.name: min(max(self._value(f, strength), f.low), f.high) for f in self.parameters}
 
-    def place(self, free: Sequence[Free], strength: float) -> Array:
-        """Search coordinates of a model's free parameters, those of the effect at a strength, others at their start."""
+    def place(self, strength: float) -> Array:
+        """Their search coordinates."""
         values = self.at(strength)
-        return np.array([f.to_z(values.get(f.name, f.start)) for f in free])
+        return np.array([f.to_z(values[f.name]) for f in self.parameters])
 
     def _value(self, f: Free, strength: float) -> float:
         if not self.absent:
@@ -175,18 +173,14 @@ def probe_effect(
 
     Args:
         effect, family: its names.
-        objective: the model with it, whose base parameters start where the base model was fitted.
+        objective: the model with it by its own parameters, the others where the base model was fitted.
         base: the base model there.
-        strengths: how the effect's own parameters, as the objective has them, follow its strength.
+        strengths: how the own parameters follow the effect's strength.
 
     Raises:
         SimulationFailure: the model breaks down.
     """
-    rows = CRITERIA.search.rows
-
-    def place(strength: float) -> Array:
-        return strengths.place(objective.free, strength)
-
+    rows, place = CRITERIA.search.rows, strengths.place
     looks = _strength_trials(
         lambda strength: residual_rows(objective, place(strength), rows), base, strengths.signed
     )
@@ -198,14 +192,11 @@ def probe_effect(
     if linear is None:
         raise SimulationFailure(objective.first_failure)
     strength_shows = any(not _is_idle(linear.residual - other.residual, linear) for other in looks)
-    own = tuple(f.name for f in strengths.parameters)
     elsewhere = None
     if objective.data.is_static:
-        places = {f.name: f.low + _SHARE * (f.high - f.low) for f in strengths.parameters}
-        values = (places.get(f.name, f.start) for f in objective.free)
-        z = np.array([f.to_z(v) for f, v in zip(objective.free, values, strict=True)])
-        elsewhere = linearised(objective, z, rows)
-    return EffectProbe(effect, family, own, linear, strength_shows, elsewhere)
+        between = [f.to_z(f.low + _SHARE * (f.high - f.low)) for f in strengths.parameters]
+        elsewhere = linearised(objective, np.array(between), rows)
+    return EffectProbe(effect, family, linear, strength_shows, elsewhere)
 
 
 def _strength_trials(

@@ -32,7 +32,7 @@ from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_source
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.interface import Interface
-from pam_cosim.model.references import parameter_of
+from pam_cosim.model.references import START_VALUES, parameter_of
 from pam_cosim.simulation import Simulator
 from pam_cosim.simulation.models import MOST_ROWS_UNCOMPILED
 
@@ -55,7 +55,7 @@ class Trial:
         brief: a few steps only.
         prune: whether what a general member does not need is held at zero.
         library: ``compiler.library_hash()``.
-        reference: the fitted base model, for a probe.
+        reference: the fitted base model, for a probe: no parameters are moved then but those of the effect to try.
         general_before: an effect before the one to try is a general member.
     """
 
@@ -158,8 +158,15 @@ def attempted(
     trial: Trial, work: Callable[[Trial, Simulator], Result], brief: bool
 ) -> Result | FailedTrial:
     """What comes of some work on the model of a trial, which takes few runs or many; a failure is a result too."""
-    parameters = [name for names in trial.composition.parameters.values() for name in names]
-    free = tuple(dict.fromkeys([*trial.data.differentiated, *map(parameter_of, parameters)]))
+    parameters, base = trial.composition.parameters, trial.data.differentiated
+    if trial.reference is None:
+        moved = [name for names in parameters.values() for name in names]
+    else:  # the slopes by others are known
+        moved, base = (
+            [*parameters[trial.effect.name]],
+            (START_VALUES,) * trial.data.estimates_starts,
+        )
+    free = tuple(dict.fromkeys([*base, *map(parameter_of, moved)]))
     source, name = trial.composition.text, trial.composition.name
     brief = brief and sum(len(run.time) for run in trial.data.fit_runs) <= MOST_ROWS_UNCOMPILED
     try:
@@ -201,13 +208,15 @@ def begin_of(trial: Trial, interface: Interface) -> dict[str, float]:
 
 
 def _objective(trial: Trial, simulator: Simulator) -> Objective:
-    moved, _ = free_parameters(trial, simulator.interface)
+    """The residuals as a function of the own parameters of the effect to try."""
+    free, _ = free_parameters(trial, simulator.interface)
+    own = trial.composition.parameters[trial.effect.name]
     return Objective(
         simulator,
         trial.data,
         trial.data.fit_runs,
-        moved,
-        begin_of(trial, simulator.interface),
+        [f for f in free if f.name in own],
+        {f.name: f.start for f in free} | begin_of(trial, simulator.interface),
         trial.options.tolerance,
         starts_to_first_order=True,
     )
@@ -223,10 +232,7 @@ def _probe(trial: Trial, simulator: Simulator) -> EffectProbe:
 
 def _strengths(trial: Trial, objective: Objective) -> Strengths:
     names = trial.composition.parameters[trial.effect.name]
-    return Strengths(
-        tuple(f for f in objective.free if f.name in names),
-        values_where_absent(names, trial.effect.absent),
-    )
+    return Strengths(objective.free, values_where_absent(names, trial.effect.absent))
 
 
 def values_where_absent(names: Sequence[str], absent: Mapping[str, float]) -> dict[str, float]:
@@ -253,7 +259,7 @@ def _stated_effect(trial: Trial, simulator: Simulator) -> StatedEffect:
     assert trial.reference is not None
     objective = _objective(trial, simulator)
     strengths, rows = _strengths(trial, objective), trial.options.rows
-    linear = linearised(objective, strengths.place(objective.free, 1.0), rows)
+    linear = linearised(objective, strengths.place(1.0), rows)
     if linear is None:
         raise SimulationFailure(objective.first_failure)
     strength, weaker = 1.0, [linear.residual]
@@ -261,7 +267,7 @@ def _stated_effect(trial: Trial, simulator: Simulator) -> StatedEffect:
         trial.reference.residual - weaker[-1]
     ):
         strength *= CRITERIA.search.weaker
-        residual = residual_rows(objective, strengths.place(objective.free, strength), rows)
+        residual = residual_rows(objective, strengths.place(strength), rows)
         if residual is None:
             break
         weaker.append(residual)
