@@ -174,6 +174,9 @@ class EvidenceCriteria:
     """sd rms | in a signal, that a further effect takes away at least to be called missing | blind score"""
     least_share: float = 0.05
     """of the excess | of the base model, that a further effect takes away otherwise | blind score"""
+    visible: float = 0.1
+    """of the error beyond the noise | squared, in a signal, or in runs that were left out, that an effect takes away at
+    least: what is worth less beside what remains may stand in for a part of that"""
     rival_ratio: float = 3.0
     """times that | smallest remainder of every other family in that case | blind score"""
     temperature: float = 4.0
@@ -191,6 +194,8 @@ class EvidenceCriteria:
 class SearchCriteria:
     """Which effects are tried, how long, and when the search is over."""
 
+    effort: int = 30_000_000
+    """rows | that are simulated at most where no limit is stated: some minutes of processor time"""
     rows: int = 1000
     """rows | of a linearised model: noise of neighbours averages out in them"""
     first_tried: int = 12
@@ -246,8 +251,6 @@ class FoldsCriteria:
     """runs | of fewer, too few are left to fit"""
     most: int = 5
     """folds | that runs are left out in: the usual number"""
-    visible: float = 0.1
-    """of the error beyond the noise | squared, that an effect takes away in runs that were left out, at least"""
     beyond: float = 2.0
     """times | the usual error, of runs that are named because the others do not predict them"""
     believable: float = 1.5

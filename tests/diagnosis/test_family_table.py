@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
+
 import pytest
 
 from pam_cosim.diagnosis.judgement.family_table import family_table
 from pam_cosim.diagnosis.judgement.posterior import Explanation, Posterior
-from pam_cosim.diagnosis.judgement.size import EffectSize
+from pam_cosim.diagnosis.judgement.size import EffectSize, size_of_effect
 from pam_cosim.diagnosis.judgement.verdict_sentences import table_lines
+from pam_cosim.fitting import Fit
 from tests.diagnosis.synthetic import candidate, fitted, judged, models_of
 
 BASE = fitted(100.0, score=50.0)
@@ -44,19 +49,27 @@ def test_the_verdict_lists_them_with_what_they_remove() -> None:
         (EffectSize({"p": 0.4, "x": 0.1}, 0.01), False),
         (EffectSize({"p": 0.4, "x": 0.6}, 0.01), True),
         (EffectSize({"p": 0.1}, 0.06), True),
+        (EffectSize({"p": 0.8}, 0.06, credibility=0.04), False),
     ],
 )
-def test_an_effect_matters_by_its_size_in_a_signal_or_by_its_share(
+def test_an_effect_matters_by_its_size_in_a_signal_or_by_its_share_if_it_is_believed(
     size: EffectSize, matters: bool
 ) -> None:
     assert size.matters() is matters
 
 
 def test_a_family_is_believed_by_what_it_is_worth_beside_what_remains() -> None:
-    size = EffectSize({"p": 1.0, "x": 3.0}, 0.01)
-    assert size.credibility({"p": 3.0, "x": 1.0}) == pytest.approx(0.9)
-    assert size.credibility({"p": 3.0}) == 1.0
-    assert EffectSize({"p": 0.0}, 0.0).credibility({"p": 1.0}) == 0.0
+    def left(chi2: float) -> Fit:
+        scores = {"all": {"p": SimpleNamespace(chi2_reduced=chi2)}}
+        data = SimpleNamespace(fitted_signals={"p": None})
+        comparison: Any = SimpleNamespace(scores=scores, data=data)
+        return replace(fitted(chi2), comparison=comparison)
+
+    def believed(without: float, with_it: float) -> float:
+        return size_of_effect(left(100.0), left(without), left(with_it)).credibility
+
+    assert believed(5.0, 2.0) == pytest.approx(3.0 / 4.0)
+    assert believed(5.0, 1.0) == 1.0 and believed(5.0, 5.0) == 0.0
 
 
 def test_what_remains_makes_a_small_family_less_probable() -> None:

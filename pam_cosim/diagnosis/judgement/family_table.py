@@ -13,7 +13,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.fitted_models import FittedModels
 from pam_cosim.diagnosis.judgement.posterior import Posterior
-from pam_cosim.diagnosis.judgement.size import EffectSize, size_of_effect, unexplained_rms
+from pam_cosim.diagnosis.judgement.size import EffectSize, size_of_effect
 from pam_cosim.files import Plain
 
 _LISTED = 0.05  # probability of a row at least
@@ -74,9 +74,8 @@ def family_table(models: FittedModels, probabilities: Posterior) -> FamilyTable:
 def credibility(models: FittedModels) -> dict[str, float]:
     """How far each family of an answer that leaves structure is believed, by what it is worth beside what is left."""
     effects = models.path[-1].effects if models.path else ()
-    unexplained = unexplained_rms(models.last)
     sizes = {e: _size(models, effects, (e,)) for e in effects}
-    return {models.family[e]: size.credibility(unexplained) for e, size in sizes.items() if size}
+    return {models.family[e]: size.credibility for e, size in sizes.items() if size}
 
 
 def _row(

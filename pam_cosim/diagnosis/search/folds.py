@@ -71,7 +71,7 @@ class FoldResult:
         if effect not in self.without:
             return True
         more = self.without[effect]
-        return more > 0 and more - self.excess >= CRITERIA.folds.visible * more
+        return more > 0 and more - self.excess >= CRITERIA.evidence.visible * more
 
 
 def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fit) -> Folds | None:
