@@ -218,8 +218,8 @@ class Diagnosis(Printed, Tabular):
             first = [" + ".join(names) for names in self.untried[: CRITERIA.search.first_tried]]
             more = len(self.untried) - len(first)
             lines.append(
-                f"  A limit ended the search after {self.simulations} simulations; what would have been tried next: "
-                f"{', '.join(first)}{f' and {more} more' * bool(more)}"
+                f"  A limit ended the search after {self.simulations} simulations (--simulation-limit states "
+                f"another); what would have been tried next: {', '.join(first)}{f' and {more} more' * bool(more)}"
             )
         lines += [f"  {change}" for change in self.changes_of_data if change != self.convention]
         lines += [
@@ -277,7 +277,8 @@ def diagnose(
             rest have no ledger.
         time_limit: [s] after which the search ends with the best verdict so far; nothing is learned of what that leaves
             then, and what is begun is finished: a fit of the answer, the ledger.
-        simulation_limit: likewise, by the runs that are simulated: the same verdict however quick the machine is.
+        simulation_limit: likewise, by the runs that are simulated: the same verdict however quick the machine is;
+            default: ``CRITERIA.search.effort``, where no time limit is stated.
         exclude: families or effects that are known not to be missing, with those of the data set.
         expect: likewise, that are likely: the evidence for one of them need not be as strong.
 
@@ -287,11 +288,9 @@ def diagnose(
         SimulationFailure: the base model cannot be simulated at all.
     """
     say, tell = listened(say, progress), progress or (lambda event: None)
-    began, subject = time.monotonic(), subject_of(data, model, files, workers, say)
-    effort = Effort(
-        began + (math.inf if time_limit is None else time_limit),
-        math.inf if simulation_limit is None else simulation_limit,
-    )
+    deadline = math.inf if time_limit is None else time.monotonic() + time_limit
+    subject = subject_of(data, model, files, workers, say)
+    effort = Effort.of(subject.data, deadline, simulation_limit)
     library = subject.library
     with effort.counting(), subject.simulator() as simulator:
         available = subject.effects(simulator.interface)

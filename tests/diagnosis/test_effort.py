@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.search.effort import Effort
 from pam_cosim.diagnosis.search.selection import select_effects
 from pam_cosim.simulation import Simulator
@@ -16,11 +21,11 @@ from tests.diagnosis.tasks import simulate_so_often
 
 
 def test_an_effort_is_spent_at_either_limit() -> None:
-    assert not Effort().limited and not Effort().spent
+    assert Effort().affords(10**9) and not Effort().spent
     assert Effort(deadline=time.monotonic()).spent
     assert not Effort(deadline=time.monotonic() + 1e6).spent
     few = Effort(most_simulations=3)
-    assert few.limited and not few.spent
+    assert few.affords(2) and not few.affords(3) and not few.spent
     few.simulations = 3
     assert few.spent
 
@@ -44,3 +49,21 @@ def test_a_limit_of_simulations_ends_the_search() -> None:
     pair.effort.most_simulations, pair.effort.simulations = 10, 10
     selection = select_effects(pair, pair.fitted(()))
     assert selection.untried and not pair.tried
+
+
+@pytest.mark.parametrize(("most", "looked_at"), [(10**6, 30), (10, CRITERIA.search.first_tried)])
+def test_the_first_effects_are_looked_at_whatever_the_effort(
+    most: int, looked_at: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    search = replace(world({"LinearBladder": 5.0}), data=SimpleNamespace(fit_runs=[None]))
+    search.effort.most_simulations, search.effort.simulations = most, 10
+    monkeypatch.setattr(search.effort, "run_tasks", lambda look, trials, *_: [*map(look, trials)])
+    trials: Any = range(30)
+    assert [*search._run_probes(lambda trial: trial, trials)] == [*range(looked_at)]
+
+
+def test_an_effort_that_nobody_states_is_counted_in_rows() -> None:
+    data: Any = SimpleNamespace(fit_runs=[SimpleNamespace(time=range(n)) for n in (100, 300)])
+    assert Effort.of(data, math.inf, None).most_simulations == CRITERIA.search.effort / 200
+    assert Effort.of(data, 1.0, None) == Effort(1.0)
+    assert Effort.of(data, math.inf, 7) == Effort(most_simulations=7)

@@ -10,7 +10,9 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TypeVar
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting import FitOptions
+from pam_cosim.measurement import DataSet
 from pam_cosim.processes.workers import run_tasks
 from pam_cosim.simulation import Simulator
 
@@ -32,10 +34,21 @@ class Effort:
     most_simulations: float = math.inf
     simulations: int = 0
 
-    @property
-    def limited(self) -> bool:
-        """Whether there is any limit."""
-        return min(self.deadline, self.most_simulations) < math.inf
+    @classmethod
+    def of(cls, data: DataSet, deadline: float, simulations: int | None) -> Effort:
+        """The effort of a diagnosis; where no limit is stated, so many simulations as its rows allow.
+
+        Args:
+            data: the measurement. deadline: infinite where none is stated. simulations: at most; None: not stated.
+        """
+        if simulations is None and deadline == math.inf:
+            rows = [len(run.time) for run in data.fit_runs]
+            simulations = CRITERIA.search.effort * len(rows) // max(sum(rows), 1)
+        return cls(deadline, math.inf if simulations is None else simulations)
+
+    def affords(self, simulations: int) -> bool:
+        """Whether so many more reach no limit."""
+        return self.deadline == math.inf and self.simulations + simulations < self.most_simulations
 
     @property
     def spent(self) -> bool:

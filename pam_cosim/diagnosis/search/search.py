@@ -171,14 +171,20 @@ class Search:
     def _run_probes(
         self, look: Callable[[Trial], Look | FailedTrial], trials: Sequence[Trial]
     ) -> list[Look]:
-        number = itertools.count(1)
-        results = self.effort.run_tasks(
-            look,
-            trials,
-            crashed,
-            lambda _: self.say(EffectProbed(next(number), len(trials)).message),
-            self.workers,
-        )
+        """Looks at the models of some trials, at a few at a time where a limit may be reached; at the first always."""
+        most = len(trials) * CRITERIA.search.looks * len(self.data.fit_runs)
+        together = len(trials) if self.effort.affords(most) else CRITERIA.search.first_tried
+        number, results = itertools.count(1), list[Look | FailedTrial]()
+        for at in range(0, len(trials), max(together, 1)):
+            if at and self.effort.spent:
+                break
+            results += self.effort.run_tasks(
+                look,
+                trials[at : at + together],
+                crashed,
+                lambda _: self.say(EffectProbed(next(number), len(trials)).message),
+                self.workers,
+            )
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [c for c in results if not isinstance(c, FailedTrial)]
 

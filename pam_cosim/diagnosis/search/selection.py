@@ -88,16 +88,13 @@ class _Models:
         return SearchResult(self.base, search.family, search.model_space, search=search, **found)
 
     def probe(self) -> None:
-        """What each effect does beside the base model; where the effort is limited, by families first."""
-        names = [e.name for e in self.search.available_effects]
-        step = len(names)
-        if self.search.effort.limited:
-            names.sort(key=lambda name: name not in self.search.family_representatives)
-            step = CRITERIA.search.first_tried
-        for at in range(0, len(names), max(step, 1)):
-            if at and self._is_effort_spent([(name,) for name in names[at:]]):
-                break
-            self.probes += self.search.probe(self.base, (), names[at : at + step])
+        """What each effect does beside the base model, those first that stand for their families."""
+        broad = self.search.family_representatives
+        names = [*broad, *(e.name for e in self.search.available_effects if e.name not in broad)]
+        self.probes += self.search.probe(self.base, (), names)
+        seen = {p.effect for p in self.probes} | {f.effect for f in self.search.failed}
+        seen.update(*self.search.displaced)
+        self._is_effort_spent([(name,) for name in names if name not in seen])
         if self.search.failed and not self.probes:
             failed = self.search.failed[-1]
             raise SimulationFailure(f"no effect could be tried; {failed.effect}: {failed.failure}")
