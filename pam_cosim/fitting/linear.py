@@ -35,6 +35,8 @@ class Linear:
         slopes: (m, k) of the model by the values.
         priors: what is known of parameters beforehand, by name; it is not among the rows.
         series: signal of each series, and how many rows it has; they follow one another.
+        absorbed: (m, s) the directions in which start values of runs take away what parameters change, with the root of
+            the share; residual and slopes are what they leave.
     """
 
     names: tuple[str, ...]
@@ -45,6 +47,13 @@ class Linear:
     slopes: Array
     priors: Mapping[str, Prior] = field(default_factory=dict)
     series: tuple[tuple[str, int], ...] = ()
+    absorbed: Array = field(default_factory=lambda: np.zeros((0, 0)))
+
+    def left_by_starts(self, change: Array) -> Array:
+        """What start values leave of a change (m,) or (m, k) of the residual at the same start values."""
+        if not self.absorbed.size:
+            return change
+        return np.asarray(change - self.absorbed @ (self.absorbed.T @ change))
 
     @property
     def movable(self) -> Array:
@@ -96,6 +105,8 @@ def linearised(objective: Objective, z: Array, rows: int) -> Linear | None:
     residual_and_slopes = _condensed(
         np.column_stack([residual, -by_z / slope])[: objective.size], objective.kept, rows
     )
+    by_starts, information = objective.starts.slopes(objective.size)
+    by_starts = _condensed(by_starts, objective.kept, rows)
     return Linear(
         tuple(f.name for f in objective.free),
         np.array([f.to_value(float(c)) for f, c in zip(objective.free, z, strict=True)]),
@@ -110,7 +121,17 @@ def linearised(objective: Objective, z: Array, rows: int) -> Linear | None:
                 objective.series, _blocks(objective.kept, rows), strict=True
             )
         ),
+        _absorbed(by_starts, information),
     )
+
+
+def _absorbed(slopes: Array, information: Array) -> Array:
+    """(m, s) as in ``Linear``, of slopes (m, s) by start values of which (s,) is known beforehand [1/variance]."""
+    if not slopes.shape[1]:
+        return slopes
+    rows = np.vstack([slopes, np.diag(np.sqrt(information))])
+    triangle: Array = np.asarray(np.linalg.qr(rows, mode="r"))
+    return np.asarray(np.linalg.solve(triangle.T, slopes.T).T)
 
 
 def coloured_deviance(linear: Linear, residual: Array, largest: float) -> float:

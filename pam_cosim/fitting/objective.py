@@ -56,7 +56,7 @@ class Objective:
         simulator, data, runs, free: as above, and the measurement.
         fixed: further parameters; start values among them are where estimates of these begin [SI].
         tracker, tolerance: as above.
-        starts_to_first_order: start values are eliminated as ``EliminatedStarts.to_first_order`` has it.
+        starts_are_known: runs begin as ``fixed`` says; no start values are eliminated.
         is_over: whether a limit of the fit is reached: descents end, and no start values are looked for any more.
     """
 
@@ -70,7 +70,7 @@ class Objective:
         tolerance: float | None = None,
         tracker: Tracker | None = None,
         *,
-        starts_to_first_order: bool = False,
+        starts_are_known: bool = False,
         is_over: Callable[[], bool] = lambda: False,
     ) -> None:
         self.tracker, self.is_over = tracker or Tracker(), is_over
@@ -103,14 +103,8 @@ class Objective:
         ]
         self.ends = np.cumsum([0, *counts])
         self.size = int(self.ends[-1])
-        self.starts = EliminatedStarts(
-            simulator,
-            data,
-            self.runs,
-            self.ends,
-            self._squares_from,
-            to_first_order=starts_to_first_order,
-        )
+        estimated = () if starts_are_known else self.runs
+        self.starts = EliminatedStarts(simulator, data, estimated, self.ends, self._squares_from)
         self.samples = sum(
             r.sample_count(s) * usual_square(data.signals[s]) for r, s in self.series
         )
@@ -135,7 +129,7 @@ class Objective:
 
     def found_other_starts(self, z: Array) -> bool:
         """Whether start values were found that leave less; a descent that goes on from ``z`` has them."""
-        if self.starts.to_first_order or not self._has_starts(z):
+        if not self._has_starts(z):
             return False
 
         def anew() -> Array:
@@ -296,19 +290,11 @@ class Objective:
         """Residuals (rows,) at search coordinates ``z`` (k,), in standard deviations, as ``residuals`` has them.
 
         The simulation is without slopes if no start values need them.
-
-        To first order the slopes by start values are those of the point that was simulated first.
         """
-        if self._has_starts(z) and not (
-            self.starts.to_first_order
-            and all(start.slopes.size for start in self.starts.by_run.values())
-        ):
+        if self._has_starts(z):
             return self.residuals(z)
         self.evaluations += 1
-        residuals = self._without_slopes(z, range(len(self.runs)))
-        if np.all(np.isfinite(residuals)):
-            self.starts.take_away(residuals)
-        return self._with_priors(z, residuals)
+        return self._with_priors(z, self._without_slopes(z, range(len(self.runs))))
 
     def _has_starts(self, z: Array) -> bool:
         """Whether start values are parameters; not where the model breaks down."""
@@ -388,23 +374,12 @@ class Objective:
         """As ``jacobian``, with the start values where they are."""
         if not len(z):
             return np.zeros((len(at), 0))
-        exact, columns, compared = self._exact_at(z), [], None
-        for i, is_exact in enumerate(self._exact):
-            if exact is not None and is_exact:
-                columns.append(exact[:, i])
-                continue
-            compared = self._before_elimination(z, at) if compared is None else compared
-            columns.append(self._difference(z, compared, i))
+        exact = self._exact_at(z)
+        columns = [
+            exact[:, i] if exact is not None and is_exact else self._difference(z, at, i)
+            for i, is_exact in enumerate(self._exact)
+        ]
         return np.column_stack(columns)
-
-    def _before_elimination(self, z: Array, at: Array) -> Array:
-        """The residuals that those of a moved point are compared with.
-
-        To first order the start values stay where they are, and ``at`` lacks what they can take away.
-        """
-        if not (self.starts.to_first_order and self.starts.by_run):
-            return at
-        return np.concatenate([self._without_slopes(z, range(len(self.runs))), at[self.size :]])
 
     def _exact_at(self, z: Array) -> Array | None:
         """The exact Jacobian at ``z``; None where the model has no sensitivities or breaks down."""

@@ -21,7 +21,6 @@ from pam_cosim.starts.start_values import (
     LinearisedRun,
     StartValues,
     eliminate,
-    eliminate_to_first_order,
     settings_of,
 )
 
@@ -47,7 +46,6 @@ class EliminatedStarts:
 
     Attributes:
         by_run: start values by number of the run; empty until the first point is simulated.
-        to_first_order: they are eliminated by one linear step from where they begin, and stay there.
         state_ranges: how far runs take each state [SI].
 
     Args:
@@ -56,7 +54,6 @@ class EliminatedStarts:
         runs: the runs.
         ends: (runs + 1,) where the rows of the residuals of each run begin, and the last ones end.
         squares_from: what a run leaves of its samples, by its number and the parameters with its start [SI].
-        to_first_order: as above; start values among the parameters take the place of the first samples.
     """
 
     def __init__(
@@ -66,13 +63,10 @@ class EliminatedStarts:
         runs: Sequence[Run],
         ends: NDArray[np.int_],
         squares_from: Callable[[int, Mapping[str, float]], float],
-        *,
-        to_first_order: bool = False,
     ) -> None:
         self._simulator, self._data, self._runs = simulator, data, runs
         self._squares_from = squares_from
         self._rows = [slice(*rows) for rows in zip(ends[:-1], ends[1:], strict=True)]
-        self.to_first_order = to_first_order
         self.by_run: dict[int, StartValues] = {}
         self.state_ranges: Mapping[str, float] = {}
         self._is_placed = False
@@ -95,14 +89,13 @@ class EliminatedStarts:
 
     def of_run(self, i: int) -> dict[str, float]:
         """Where a run begins, by "state@run" [SI]; empty where its start is not estimated."""
-        start_values = self.by_run[i].named() if i in self.by_run else {}
-        return settings_of(self._runs[i], start_values)
+        return settings_of(self._runs[i], self.by_run[i].named()) if i in self.by_run else {}
 
     def place(self, values: Mapping[str, float]) -> dict[int, StartValues]:
         """The start values, about where the first samples put them with the first parameters [SI]."""
         if not self._is_placed:
             trajectories = {
-                i: self._rest_trajectory(i, values, about_given=self.to_first_order)
+                i: self._rest_trajectory(i, values)
                 for i, run in enumerate(self._runs)
                 if run.start.mode == "estimated"
             }
@@ -140,13 +133,8 @@ class EliminatedStarts:
         still = {n: v for n, v in run_trajectory.first.items() if n not in moving}
         return StartValues(self._runs[i], moving, mean, sd, values, low, high, still)
 
-    def _rest_trajectory(
-        self, i: int, values: Mapping[str, float], *, about_given: bool = False
-    ) -> RestTrajectory:
+    def _rest_trajectory(self, i: int, values: Mapping[str, float]) -> RestTrajectory:
         """The trajectory of a run from its first samples and the equilibrium with them.
-
-        ``about_given``: start values among the parameters take the place of the first samples: the start of another
-        model is known, and this one has a state more.
 
         Raises:
             SimulationFailure: the run does not reach its end.
@@ -156,12 +144,12 @@ class EliminatedStarts:
         bare = {n: v for n, v in run_parameters.items() if n not in states}
         stated_starts = {n: run_parameters[n] for n in states if n in run_parameters}
         probe = StartProbe(self._simulator, self._data, run, bare)
-        start = measured_initial_state(probe, stated_starts if about_given else {})
+        start = measured_initial_state(probe)
         times = np.unique(np.append(start_time(run), run.time))
         run_trajectory = start.trajectory(self._simulator, run, bare, times, states)
         initial = {n: float(run_trajectory[n][0]) for n in states}
         begin = initial | stated_starts
-        if stated_starts and not about_given:
+        if stated_starts:
             begin = min(
                 (begin, initial),
                 key=lambda states: self._squares_from(i, {**values, **settings_of(run, states)}),
@@ -189,8 +177,7 @@ class EliminatedStarts:
 
     def eliminated(self, i: int, simulate: LinearisedRun) -> tuple[Any, Array]:
         """The result of a run, and its residuals without what its start values take away; see ``eliminate``."""
-        method = eliminate_to_first_order if self.to_first_order else eliminate
-        return method(self.by_run[i], simulate)
+        return eliminate(self.by_run[i], simulate)
 
     def keep(self, z: Array) -> None:
         """Keeps where ``z`` left the start values."""
@@ -199,16 +186,20 @@ class EliminatedStarts:
                 i: values_of_run.values for i, values_of_run in self.by_run.items()
             }
 
-    def take_away(self, residuals: Array) -> None:
-        """Takes from the residuals what the start values take away, by the slopes that are known of them."""
-        for values_of_run, rows, _ in self._blocks(residuals):
-            residuals[rows] = values_of_run.taken_away(residuals[rows])
-
     def _blocks(self, residuals: Array) -> Iterator[tuple[StartValues, slice, slice]]:
         """The start values of each run, the rows of its residuals, and of what is known of them beforehand."""
         row = len(residuals) - self.count
         for i, values_of_run in self.by_run.items():
             yield values_of_run, self._rows[i], slice(row, row := row + len(values_of_run.names))
+
+    def slopes(self, rows: int) -> tuple[Array, Array]:
+        """(rows, s) slopes of the residuals by all start values, and (s,) what is known of these [1/variance]."""
+        slopes, known, column = np.zeros((rows, self.count)), [np.zeros(0)], 0
+        for i, values_of_run in self.by_run.items():
+            columns = slice(column, column := column + len(values_of_run.names))
+            slopes[self._rows[i], columns] = values_of_run.slopes[: -len(values_of_run.names)]
+            known.append(values_of_run.sd**-2)
+        return slopes, np.concatenate(known)
 
     def prior_rows(self) -> list[Array]:
         """The rows of what is known of start values beforehand, which are the last ones of the residuals."""
@@ -235,7 +226,7 @@ class EliminatedStarts:
 
     def begin_afresh(self, z: Array, values: Mapping[str, float]) -> bool:
         """Whether start values are looked for where the first samples and the model's rest put them from ``z`` on."""
-        if not self._is_placed or self.to_first_order or z.tobytes() in self._at:
+        if not self._is_placed or z.tobytes() in self._at:
             return False
         for i, values_of_run in self.by_run.items():
             if (fresh := self._fresh(i, values)) is not None:

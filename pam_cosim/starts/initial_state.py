@@ -46,22 +46,11 @@ def initial_state(
     return replace(measured, settle="all") if start.mode == "steady" else measured
 
 
-def measured_initial_state(
-    probe: StartProbe, stated_starts: Mapping[str, float] | None = None
-) -> InitialState:
-    """The initial state at which the model gives the first samples.
-
-    Args:
-        probe: of the run.
-        stated_starts: values of some states [SI], used instead of the first samples.
-    """
-    stated_starts = stated_starts or {}
-    if not probe.states or not (probe.first or stated_starts):
+def measured_initial_state(probe: StartProbe) -> InitialState:
+    """The initial state at which the model gives the first samples of a run, by its probe."""
+    if not (probe.states and probe.first):
         return InitialState()
-    if len(stated_starts) == len(probe.states):
-        return InitialState(dict(stated_starts))
-    observed_states, values = _shown_by_first_samples(probe) if probe.first else ({}, {})
-    values |= stated_starts
+    observed_states, values = _shown_by_first_samples(probe)
     signals = {state: observed.signal for state, observed in observed_states.items()}
     return InitialState(values, probe.settle_others(values), signals)
 

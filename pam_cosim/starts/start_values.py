@@ -88,13 +88,6 @@ class StartValues:
         farthest = float(np.max(np.abs(step) / self.sd))
         return step * (reach / max(farthest, reach))
 
-    def taken_away(self, residuals: Array) -> Array:
-        """(n,) residuals of the run without what the start values take away, by the slopes that are known of them."""
-        rows = np.append(residuals, self.prior_rows())
-        step = self.step(self.slopes, rows)
-        change = np.clip(self.values + step, self.low, self.high) - self.values
-        return np.asarray(residuals + self.slopes[: len(residuals)] @ change)
-
     def following(self, columns: Array) -> Array:
         """(k, m) by how much the start values move along with what moves the residuals of the run by (n, m) columns."""
         below = np.zeros((len(self.names), columns.shape[1]))
@@ -156,20 +149,6 @@ def eliminate(of: StartValues, simulate: LinearisedRun) -> tuple[Any, Array]:
     )
     last, of.slopes = of.values - point.values, point.slopes
     return point.result, point.residuals + point.slopes[: len(point.residuals)] @ last
-
-
-def eliminate_to_first_order(of: StartValues, simulate: LinearisedRun) -> tuple[Any, Array]:
-    """As ``eliminate``, by one linear step: the start values stay where they are, and so does the result.
-
-    Args:
-        of, simulate: as for ``eliminate``.
-
-    Raises:
-        SimulationFailure: the run does not reach its end.
-    """
-    result, residuals, slopes = simulate()
-    of.slopes = of.with_prior_slopes(slopes)
-    return result, of.taken_away(residuals)
 
 
 def _tried(of: StartValues, simulate: LinearisedRun) -> _Point | None:

@@ -13,7 +13,7 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.arrays import Array
-from pam_cosim.fitting import Free, with_starts
+from pam_cosim.fitting import Free, linearised, residual_rows, with_starts
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import DataSet, Run
@@ -71,6 +71,26 @@ def _settled(data: DataSet) -> Iterator[tuple[Objective, Array, Array]]:
             objective._latest = None
             at = objective.residuals(z)
         yield objective, z, at
+
+
+def test_what_other_starts_leave_of_a_change_is_known_beside_a_fitted_model(
+    data: Callable[..., DataSet],
+) -> None:
+    rows = 10**6
+    with _settled(data()) as (objective, z, _):
+        linear = linearised(objective, z, rows)
+        known = Objective(
+            objective.simulator, objective.data, objective.runs, objective.free,
+            objective.starts.settings, tolerance=1e-9, starts_are_known=True,
+        )  # fmt: skip
+        moved = z + 0.01
+        here, there = residual_rows(known, z, rows), residual_rows(known, moved, rows)
+        fitted = residual_rows(objective, moved, rows)
+    assert linear is not None and here is not None and there is not None and fitted is not None
+    change = there - here
+    off = linear.residual + linear.left_by_starts(change) - fitted
+    off_with_the_same_starts = linear.residual + change - fitted
+    assert np.linalg.norm(off) < 0.1 * np.linalg.norm(off_with_the_same_starts)
 
 
 def test_a_whole_recording_begins_at_rest(data: Callable[..., DataSet]) -> None:

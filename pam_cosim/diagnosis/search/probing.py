@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -166,36 +166,65 @@ class _StrengthTrial:
         return float(self.moved @ self.moved)
 
 
-def probe_effect(
-    effect: str, family: str, objective: Objective, base: Linear, strengths: Strengths
-) -> EffectProbe:
+@dataclass(frozen=True)
+class Look:
+    """Looks at a model with an effect beside the fitted base model.
+
+    Runs begin where those of the base model do; what other starts would take away is taken away to first order.
+
+    Attributes:
+        objective: the model by the effect's own parameters, the others where the base model was fitted.
+        base: the base model there.
+        strengths: how the own parameters follow the effect's strength.
+        rows: of the linear models, about.
+    """
+
+    objective: Objective
+    base: Linear
+    strengths: Strengths
+    rows: int
+
+    def residual(self, strength: float) -> Array | None:
+        """(m,) at a strength; None: the model breaks down."""
+        residual = residual_rows(self.objective, self.strengths.place(strength), self.rows)
+        return None if residual is None else self._with_other_starts(residual)
+
+    def linear(self, z: Array) -> Linear | None:
+        """The model about search coordinates; None: it breaks down."""
+        linear = linearised(self.objective, z, self.rows)
+        if linear is None:
+            return None
+        slopes = self.base.left_by_starts(linear.slopes)
+        return replace(linear, residual=self._with_other_starts(linear.residual), slopes=slopes)
+
+    def _with_other_starts(self, residual: Array) -> Array:
+        return self.base.residual + self.base.left_by_starts(residual - self.base.residual)
+
+
+def probe_effect(effect: str, family: str, look: Look) -> EffectProbe:
     """Looks at some strengths of an effect and linearises the model at the one that does most good.
 
     Args:
         effect, family: its names.
-        objective: the model with it by its own parameters, the others where the base model was fitted.
-        base: the base model there.
-        strengths: how the own parameters follow the effect's strength.
+        look: at the model with it.
 
     Raises:
         SimulationFailure: the model breaks down.
     """
-    rows, place = CRITERIA.search.rows, strengths.place
-    looks = _strength_trials(
-        lambda strength: residual_rows(objective, place(strength), rows), base, strengths.signed
-    )
+    base, strengths = look.base, look.strengths
+    tried = _strength_trials(look.residual, base, strengths.signed)
     linear = None
-    for look in sorted(looks, key=lambda look: (_is_idle(look.moved, base), look.remaining)):
-        linear = linearised(objective, place(look.strength), rows)
+    for one in sorted(tried, key=lambda one: (_is_idle(one.moved, base), one.remaining)):
+        linear = look.linear(strengths.place(one.strength))
         if linear is not None:
             break
     if linear is None:
-        raise SimulationFailure(objective.first_failure)
-    strength_shows = any(not _is_idle(linear.residual - other.residual, linear) for other in looks)
+        raise SimulationFailure(look.objective.first_failure)
+    strength_shows = any(not _is_idle(linear.residual - one.residual, linear) for one in tried)
     elsewhere = None
-    if objective.data.is_static:
+    if look.objective.data.is_static:
         between = [f.to_z(f.low + _SHARE * (f.high - f.low)) for f in strengths.parameters]
-        elsewhere = linearised(objective, np.array(between), rows)
+        elsewhere = look.linear(np.array(between))
     return EffectProbe(effect, family, linear, strength_shows, elsewhere)
 
 

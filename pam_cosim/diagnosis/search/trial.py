@@ -14,7 +14,13 @@ from pam_cosim.arrays import Array
 from pam_cosim.catalogue import Composition, EffectClass
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Attempt, Candidate, FailedTrial
-from pam_cosim.diagnosis.search.probing import EffectProbe, StatedEffect, Strengths, probe_effect
+from pam_cosim.diagnosis.search.probing import (
+    EffectProbe,
+    Look,
+    StatedEffect,
+    Strengths,
+    probe_effect,
+)
 from pam_cosim.diagnosis.search.pruning import pruned
 from pam_cosim.errors import InputError, ModelChange, SimulationFailure
 from pam_cosim.fitting import (
@@ -24,15 +30,13 @@ from pam_cosim.fitting import (
     Linear,
     base_parameters,
     fit,
-    linearised,
     model_parameter,
-    residual_rows,
 )
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_source
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.interface import Interface
-from pam_cosim.model.references import START_VALUES, parameter_of
+from pam_cosim.model.references import parameter_of
 from pam_cosim.simulation import Simulator
 from pam_cosim.simulation.models import MOST_ROWS_UNCOMPILED
 
@@ -158,15 +162,12 @@ def attempted(
     trial: Trial, work: Callable[[Trial, Simulator], Result], brief: bool
 ) -> Result | FailedTrial:
     """What comes of some work on the model of a trial, which takes few runs or many; a failure is a result too."""
-    parameters, base = trial.composition.parameters, trial.data.differentiated
+    parameters = trial.composition.parameters
     if trial.reference is None:
-        moved = [name for names in parameters.values() for name in names]
-    else:  # the slopes by others are known
-        moved, base = (
-            [*parameters[trial.effect.name]],
-            (START_VALUES,) * trial.data.estimates_starts,
-        )
-    free = tuple(dict.fromkeys([*base, *map(parameter_of, moved)]))
+        moved = [*trial.data.differentiated, *(n for names in parameters.values() for n in names)]
+    else:  # slopes by others are known
+        moved = [*parameters[trial.effect.name]]
+    free = tuple(dict.fromkeys(map(parameter_of, moved)))
     source, name = trial.composition.text, trial.composition.name
     brief = brief and sum(len(run.time) for run in trial.data.fit_runs) <= MOST_ROWS_UNCOMPILED
     try:
@@ -207,32 +208,28 @@ def begin_of(trial: Trial, interface: Interface) -> dict[str, float]:
     return {n: v for n, v in trial.start.items() if n.rpartition("@")[0] in interface.states}
 
 
-def _objective(trial: Trial, simulator: Simulator) -> Objective:
-    """The residuals as a function of the own parameters of the effect to try."""
+def _look(trial: Trial, simulator: Simulator, rows: int) -> Look:
+    """At the effect to try, beside the model that a trial refers to."""
+    assert trial.reference is not None
     free, _ = free_parameters(trial, simulator.interface)
     own = trial.composition.parameters[trial.effect.name]
-    return Objective(
+    moved = tuple(f for f in free if f.name in own)
+    objective = Objective(
         simulator,
         trial.data,
         trial.data.fit_runs,
-        [f for f in free if f.name in own],
+        moved,
         {f.name: f.start for f in free} | begin_of(trial, simulator.interface),
         trial.options.tolerance,
-        starts_to_first_order=True,
+        starts_are_known=True,
     )
+    strengths = Strengths(moved, values_where_absent(own, trial.effect.absent))
+    return Look(objective, trial.reference, strengths, rows)
 
 
 def _probe(trial: Trial, simulator: Simulator) -> EffectProbe:
-    assert trial.reference is not None
-    objective = _objective(trial, simulator)
-    strengths = _strengths(trial, objective)
-    effect = trial.effect
-    return probe_effect(effect.name, effect.family, objective, trial.reference, strengths)
-
-
-def _strengths(trial: Trial, objective: Objective) -> Strengths:
-    names = trial.composition.parameters[trial.effect.name]
-    return Strengths(objective.free, values_where_absent(names, trial.effect.absent))
+    look = _look(trial, simulator, CRITERIA.search.rows)
+    return probe_effect(trial.effect.name, trial.effect.family, look)
 
 
 def values_where_absent(names: Sequence[str], absent: Mapping[str, float]) -> dict[str, float]:
@@ -256,23 +253,19 @@ def values_of_absence(
 
 
 def _stated_effect(trial: Trial, simulator: Simulator) -> StatedEffect:
-    assert trial.reference is not None
-    objective = _objective(trial, simulator)
-    strengths, rows = _strengths(trial, objective), trial.options.rows
-    linear = linearised(objective, strengths.place(1.0), rows)
+    look = _look(trial, simulator, trial.options.rows)
+    linear = look.linear(look.strengths.place(1.0))
     if linear is None:
-        raise SimulationFailure(objective.first_failure)
+        raise SimulationFailure(look.objective.first_failure)
     strength, weaker = 1.0, [linear.residual]
-    while len(weaker) < CRITERIA.search.looks and _is_detectable(
-        trial.reference.residual - weaker[-1]
-    ):
+    while len(weaker) < CRITERIA.search.looks and _is_detectable(look.base.residual - weaker[-1]):
         strength *= CRITERIA.search.weaker
-        residual = residual_rows(objective, strengths.place(strength), rows)
+        residual = look.residual(strength)
         if residual is None:
             break
         weaker.append(residual)
     return StatedEffect(
-        trial.effect.name, trial.effect.family, strengths, linear, tuple(weaker[1:])
+        trial.effect.name, trial.effect.family, look.strengths, linear, tuple(weaker[1:])
     )
 
 
