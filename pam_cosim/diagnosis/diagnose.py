@@ -289,8 +289,8 @@ def diagnose(
     """
     say, tell = listened(say, progress), progress or (lambda event: None)
     deadline = math.inf if time_limit is None else time.monotonic() + time_limit
+    effort = Effort.of(deadline, simulation_limit)
     subject = subject_of(data, model, files, workers, say)
-    effort = Effort.of(subject.data, deadline, simulation_limit)
     library = subject.library
     with effort.counting(), subject.simulator() as simulator:
         available = subject.effects(simulator.interface)

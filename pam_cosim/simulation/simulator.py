@@ -75,7 +75,7 @@ class Simulator:
 
     Attributes:
         limit: processor time [s] that a run may take, and more for each of its rows; None: as long as it likes.
-        simulations: runs of all simulators of this process so far, those that failed among them.
+        simulations: runs of all simulators of this process so far, those that failed among them; ``rows`` of these.
 
     Raises:
         InputError: not such an FMU, or none for this platform.
@@ -83,6 +83,7 @@ class Simulator:
     """
 
     simulations: ClassVar[int] = 0
+    rows: ClassVar[int] = 0
 
     def __init__(self, path: Path) -> None:
         self.limit: tuple[float, float] | None = LONGEST_RUN
@@ -333,6 +334,7 @@ class Simulator:
         with self._turn:
             self._end_steps()
             Simulator.simulations += 1
+            Simulator.rows += layout.row_count
             outcome = drive()
             if outcome.failed in ("fmi2Reset", "fmi3Reset"):
                 self._renew()

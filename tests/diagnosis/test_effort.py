@@ -37,7 +37,7 @@ def test_what_tasks_simulate_is_counted_in_whatever_process(
     effort, heard = Effort(), list[int]()
     tasks = [(str(bench("TankFilling")), count) for count in (1, 3)]
     assert effort.run_tasks(simulate_so_often, tasks, lambda _: -1, heard.append, workers) == [1, 3]
-    assert effort.simulations == 4
+    assert effort.simulations == 4 and effort.rows >= 4
     assert sorted(heard) == [1, 3]
     with effort.counting(), Simulator(bench("TankFilling")) as simulator:
         simulator.run([0.0, 1.0])
@@ -63,7 +63,9 @@ def test_the_first_effects_are_looked_at_whatever_the_effort(
 
 
 def test_an_effort_that_nobody_states_is_counted_in_rows() -> None:
-    data: Any = SimpleNamespace(fit_runs=[SimpleNamespace(time=range(n)) for n in (100, 300)])
-    assert Effort.of(data, math.inf, None).most_simulations == CRITERIA.search.effort / 200
-    assert Effort.of(data, 1.0, None) == Effort(1.0)
-    assert Effort.of(data, math.inf, 7) == Effort(most_simulations=7)
+    usual = Effort.of(math.inf, None)
+    assert not usual.spent and usual.affords(10**9)
+    usual.rows = CRITERIA.search.effort
+    assert usual.spent
+    assert Effort.of(1.0, None) == Effort(1.0)
+    assert Effort.of(math.inf, 7) == Effort(most_simulations=7)

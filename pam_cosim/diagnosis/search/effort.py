@@ -12,12 +12,13 @@ from typing import TypeVar
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting import FitOptions
-from pam_cosim.measurement import DataSet
 from pam_cosim.processes.workers import run_tasks
 from pam_cosim.simulation import Simulator
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
+Simulated = tuple[int, int]
+"""How many runs a process has simulated, and how many rows these have."""
 
 
 @dataclass
@@ -27,23 +28,25 @@ class Effort:
     Attributes:
         deadline: of ``time.monotonic``, after which no more models are tried.
         most_simulations: likewise; unlike a deadline it ends a search at the same model on every machine.
-        simulations: runs that were simulated so far, with sensitivities or without.
+        most_rows: likewise, by the rows of these simulations, which say what they cost.
+        simulations: runs that were simulated so far, with sensitivities or without; ``rows`` of these.
     """
 
     deadline: float = math.inf
     most_simulations: float = math.inf
+    most_rows: float = math.inf
     simulations: int = 0
+    rows: int = 0
 
     @classmethod
-    def of(cls, data: DataSet, deadline: float, simulations: int | None) -> Effort:
-        """The effort of a diagnosis; where no limit is stated, so many simulations as its rows allow.
+    def of(cls, deadline: float, simulations: int | None) -> Effort:
+        """The effort with the limits that are stated, or with that of rows where none is.
 
         Args:
-            data: the measurement. deadline: infinite where none is stated. simulations: at most; None: not stated.
+            deadline: infinite where none is stated. simulations: at most; None: not stated.
         """
         if simulations is None and deadline == math.inf:
-            rows = [len(run.time) for run in data.fit_runs]
-            simulations = CRITERIA.search.effort * len(rows) // max(sum(rows), 1)
+            return cls(most_rows=CRITERIA.search.effort)
         return cls(deadline, math.inf if simulations is None else simulations)
 
     def affords(self, simulations: int) -> bool:
@@ -53,7 +56,8 @@ class Effort:
     @property
     def spent(self) -> bool:
         """Whether a limit is reached."""
-        return self.simulations >= self.most_simulations or time.monotonic() >= self.deadline
+        is_full = self.simulations >= self.most_simulations or self.rows >= self.most_rows
+        return is_full or time.monotonic() >= self.deadline
 
     def part(self, share: float) -> Effort:
         """An effort that may take so much of what this one took, and ends with it."""
@@ -73,11 +77,11 @@ class Effort:
     @contextmanager
     def counting(self) -> Iterator[None]:
         """Counts what this process simulates meanwhile."""
-        before = Simulator.simulations
+        before = _simulated()
         try:
             yield
         finally:
-            self.simulations += Simulator.simulations - before
+            self._add(before, _simulated())
 
     def run_tasks(
         self,
@@ -91,15 +95,24 @@ class Effort:
         results = run_tasks(
             partial(_counted, function),
             tasks,
-            lambda task: (on_crash(task), 0),
+            lambda task: (on_crash(task), (0, 0), (0, 0)),
             lambda counted: done(counted[0]),
             workers,
         )
-        self.simulations += sum(simulations for _, simulations in results)
-        return [result for result, _ in results]
+        for _, before, after in results:
+            self._add(before, after)
+        return [result for result, _, _ in results]
+
+    def _add(self, before: Simulated, after: Simulated) -> None:
+        self.simulations += after[0] - before[0]
+        self.rows += after[1] - before[1]
 
 
-def _counted(function: Callable[[Task], Result], task: Task) -> tuple[Result, int]:
-    """The result of a task, and how many runs it simulated."""
-    before = Simulator.simulations
-    return function(task), Simulator.simulations - before
+def _simulated() -> Simulated:
+    return Simulator.simulations, Simulator.rows
+
+
+def _counted(function: Callable[[Task], Result], task: Task) -> tuple[Result, Simulated, Simulated]:
+    """The result of a task, and what this process had simulated before and after."""
+    before = _simulated()
+    return function(task), before, _simulated()
