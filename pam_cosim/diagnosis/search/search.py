@@ -41,7 +41,7 @@ from pam_cosim.fitting import Fit, Linear
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import is_ratio
 
-Look = TypeVar("Look")
+Result = TypeVar("Result")
 
 
 @dataclass(frozen=True)
@@ -169,12 +169,12 @@ class Search:
         return self._run_probes(run_stated, trials)
 
     def _run_probes(
-        self, look: Callable[[Trial], Look | FailedTrial], trials: Sequence[Trial]
-    ) -> list[Look]:
+        self, look: Callable[[Trial], Result | FailedTrial], trials: Sequence[Trial]
+    ) -> list[Result]:
         """Looks at the models of some trials, at a few at a time where a limit may be reached; at the first always."""
         most = len(trials) * CRITERIA.search.looks * len(self.data.fit_runs)
         together = len(trials) if self.effort.affords(most) else CRITERIA.search.first_tried
-        number, results = itertools.count(1), list[Look | FailedTrial]()
+        number, results = itertools.count(1), list[Result | FailedTrial]()
         for at in range(0, len(trials), max(together, 1)):
             if at and self.effort.spent:
                 break
