@@ -74,6 +74,8 @@ typedef struct {
     int32_t plain; /* whether nobody asks for sensitivities */
     int32_t settle_start; /* 0: the run begins with the start values, 1: what is not among those set settles, 2: all does */
     int (*settle_at)(void *instance, int keep); /* pam_settle_start of our own FMUs, or null */
+    void (*statistics)(const void *instance, long long values[5]); /* pam_get_statistics of our own FMUs, or null */
+    int64_t max_steps; /* of the solver, rejected ones among them; 0: no limit */
     int32_t at_rest; /* each point is an equilibrium under its own inputs, found from the start values, not a time */
     driver_variables parameters;
     const double *parameter_values;
@@ -101,7 +103,7 @@ typedef struct {
     int32_t ended;             /* whether the instance has ended the simulation, at time_reached */
 } driver_run;
 
-enum { RESET, SETUP, ENTER, LEAVE, SET_VALUES, GET_VALUES, SET_SLOPES, DO_STEP, TERMINATE, SETTLE, REAL_STATUS, BOOLEAN_STATUS, TOO_SLOW };
+enum { RESET, SETUP, ENTER, LEAVE, SET_VALUES, GET_VALUES, SET_SLOPES, DO_STEP, TERMINATE, SETTLE, REAL_STATUS, BOOLEAN_STATUS, TOO_SLOW, TOO_MANY_STEPS };
 
 /* The status codes of both versions agree, and so do the arguments of functions without any but the instance. */
 enum { OK = 0, WARNING = 1, DISCARD = 2 };
@@ -279,10 +281,19 @@ static int too_slow(driver_run *r, driver_clock *c, size_t point) {
     return 1;
 }
 
+static int too_many_steps(driver_run *r) {
+    long long n[5];
+    if (!r->statistics || r->max_steps <= 0) return 0;
+    r->statistics(r->instance, n);
+    if (n[0] + n[1] <= r->max_steps) return 0;
+    r->stage = TOO_MANY_STEPS;
+    return 1;
+}
+
 static void loop(driver_run *r) {
     driver_clock begin = start_clock();
     for (size_t k = 0; k < r->n_points; k++) {
-        if (too_slow(r, &begin, k)) return;
+        if (too_slow(r, &begin, k) || too_many_steps(r)) return;
         if (k > 0) {
             double from = r->times[k - 1], step = r->times[k] - from;
             CALL(DO_STEP, do_step(r, from, step));

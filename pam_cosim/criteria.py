@@ -232,9 +232,9 @@ class SearchCriteria:
     """evaluations | enough to distinguish a likely effect from an unlikely one"""
     screening_tolerance: float = 1e-5
     """1 | of the solver in these evaluations"""
-    longest_run: tuple[float, float] = (2.0, 1e-3)
-    """s | of processor time, and more for each row, that a run with an effect may take: a hundred times what is usual;
-    the effect chatters there, or the simulation fails"""
+    longest_run: tuple[int, int] = (10_000, 50)
+    """steps | of the solver, and more for each row, that a run with an effect may take: fifty times what is usual; the
+    effect chatters there"""
     combined_parameters: int = 2
     """parameters | started in all combinations of orders of magnitude"""
     decades: int = 1

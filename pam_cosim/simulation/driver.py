@@ -59,7 +59,7 @@ FUNCTIONS: dict[int, tuple[str | None, ...]] = {
 Settle = Literal["none", "others", "all"]
 _SETTLING: dict[Settle, int] = {"none": 0, "others": 1, "all": 2}  # as the loop numbers them
 # Named instead of a function where the run took too long.
-TOO_SLOW = "time limit"
+TOO_SLOW, TOO_MANY_STEPS = "time limit", "limit of steps"
 
 
 class Callbacks:
@@ -126,7 +126,7 @@ class Request(NamedTuple):
         inputs, outputs: names; the plan has the values of the inputs.
         tolerance: relative, of the solver; None: the model's.
         must_reset: the instance was used before.
-        max_seconds: of processor time; None: as long as it likes.
+        max_seconds: of processor time; None: as long as it likes. max_steps: of the solver; 0: as many as it likes.
         plain: none of the outputs is a sensitivity.
         at_rest: each point of the plan is an equilibrium under its own inputs, not a time.
         settle: as in ``Simulator.run``.
@@ -142,6 +142,7 @@ class Request(NamedTuple):
     plain: bool = False
     at_rest: bool = False
     settle: Settle = "none"
+    max_steps: int = 0
 
 
 class _Selected:
@@ -192,6 +193,7 @@ class Driver:
         self._follow = address(library, "pam_follow_sensitivities")
         self._keep_starts = address(library, "pam_keep_starts")
         self._settle_at = address(library, "pam_settle_start")
+        self._statistics = address(library, "pam_get_statistics")
         self._instance, self._slopes, self._version = instance, slopes, version
         self.settles = self._addresses["settle"] is not None
         self._running: DriverRun | None = None
@@ -250,6 +252,8 @@ class Driver:
             plain=request.plain,
             settle_start=_SETTLING[request.settle],
             settle_at=self._settle_at,
+            statistics=self._statistics,
+            max_steps=request.max_steps,
             at_rest=request.at_rest,
             parameters=selected[0].variables,
             parameter_values=values.ctypes.data,
@@ -276,6 +280,7 @@ class Driver:
             self._running = None
         failed = None
         if run.stage >= 0:
-            failed = TOO_SLOW if run.stage == len(SLOTS) else self._function(run, run.stage)
+            limits = dict(enumerate((TOO_SLOW, TOO_MANY_STEPS), len(SLOTS)))
+            failed = limits.get(run.stage) or self._function(run, run.stage)
         table = plan.table(outputs.named(result), outputs.is_discrete)
         return Outcome(table, run.time_reached, failed, bool(run.ended))

@@ -62,6 +62,8 @@ class DriverRun(ctypes.Structure):
         ("plain", ctypes.c_int32),
         ("settle_start", ctypes.c_int32),
         ("settle_at", ctypes.c_void_p),
+        ("statistics", ctypes.c_void_p),
+        ("max_steps", ctypes.c_int64),
         ("at_rest", ctypes.c_int32),
         ("parameters", DriverVariables),
         ("parameter_values", ctypes.c_void_p),

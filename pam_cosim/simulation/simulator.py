@@ -21,6 +21,7 @@ from pam_cosim.model.interface import Interface
 from pam_cosim.model.settings import Text
 from pam_cosim.simulation.abilities import Abilities, abilities_of
 from pam_cosim.simulation.driver import (
+    TOO_MANY_STEPS,
     TOO_SLOW,
     Callbacks,
     Driver,
@@ -75,6 +76,7 @@ class Simulator:
 
     Attributes:
         limit: processor time [s] that a run may take, and more for each of its rows; None: as long as it likes.
+        most_steps: of the solver that a run may take, and more for each of its rows, where the FMU counts them.
         simulations: runs of all simulators of this process so far, those that failed among them; ``rows`` of these.
 
     Raises:
@@ -87,6 +89,7 @@ class Simulator:
 
     def __init__(self, path: Path) -> None:
         self.limit: tuple[float, float] | None = LONGEST_RUN
+        self.most_steps = (0, 0)
         self.path = Path(path)
         self._description = read_description(self.path)
         self.interface: Interface = interface_of(self._description)
@@ -328,6 +331,7 @@ class Simulator:
                 plain,
                 at_rest,
                 settle,
+                self.most_steps[0] + self.most_steps[1] * layout.row_count,
             )
             return self._driver.run(request)
 
@@ -448,6 +452,8 @@ class Simulator:
             messages = [
                 f"the run takes longer than it may, {limit:.3g} s of processor time; {_REMEDY}"
             ]
+        if function == TOO_MANY_STEPS:
+            messages = ["the solver takes far more steps than is usual"]
         reason = (
             "; ".join(messages)
             if messages

@@ -143,6 +143,17 @@ def test_time_limit() -> None:
         assert simulator.run([0.0, 1.0])["y"].size == 2
 
 
+def test_limit_of_steps() -> None:
+    with Simulator(models.fmu(models.oscillator)) as simulator:
+        long = np.linspace(0.0, 1000.0, 11)
+        simulator.most_steps = (100, 1)
+        with pytest.raises(RunFailure, match="far more steps than is usual") as failure:
+            simulator.run(long)
+        assert failure.value.time is not None and failure.value.time < 1000.0
+        simulator.most_steps = (0, 100_000)
+        assert simulator.run(long)["s"].shape == (11,)
+
+
 @pytest.mark.full
 def test_thousands_of_runs_in_one_process() -> None:
     """Neither memory nor open files grow, over runs and over instances."""

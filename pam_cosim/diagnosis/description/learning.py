@@ -308,7 +308,7 @@ def _felt_forms(
             composition.name, composition.text, sources, sensitivities=free, lean=True
         )
     with Simulator(fmu) as simulator:
-        simulator.limit = CRITERIA.search.longest_run
+        simulator.most_steps = CRITERIA.search.longest_run
         free_parameters = every_parameter(search.data, composition, simulator.interface)
         free_parameters = [f.starting_at(values.get(f.name, f.start)) for f in free_parameters]
         objective = Objective(simulator, search.data, search.data.fit_runs, free_parameters, values)

@@ -181,7 +181,7 @@ def attempted(
             brief=brief,
         )
         with Simulator(fmu) as simulator:
-            simulator.limit = CRITERIA.search.longest_run
+            simulator.most_steps = CRITERIA.search.longest_run
             return work(trial, simulator)
     except ModelChange:
         raise
