@@ -194,8 +194,9 @@ class EvidenceCriteria:
 class SearchCriteria:
     """Which effects are tried, how long, and when the search is over."""
 
-    effort: int = 30_000_000
-    """rows | that are simulated at most where no limit is stated: some minutes of processor time"""
+    patience: int = 10_000_000
+    """rows | that are simulated without visible progress, where no limit is stated, before a search ends: one to two
+    minutes of processor time"""
     rows: int = 1000
     """rows | of a linearised model: noise of neighbours averages out in them"""
     first_tried: int = 12

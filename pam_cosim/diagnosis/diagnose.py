@@ -218,8 +218,9 @@ class Diagnosis(Printed, Tabular):
             first = [" + ".join(names) for names in self.untried[: CRITERIA.search.first_tried]]
             more = len(self.untried) - len(first)
             lines.append(
-                f"  A limit ended the search after {self.simulations} simulations (--simulation-limit states "
-                f"another); what would have been tried next: {', '.join(first)}{f' and {more} more' * bool(more)}"
+                f"  The search ended after {self.simulations} simulations, at a limit or since nothing fitted visibly "
+                f"better for long (--simulation-limit states how many); next would have been: {', '.join(first)}"
+                f"{f' and {more} more' * bool(more)}"
             )
         lines += [f"  {change}" for change in self.changes_of_data if change != self.convention]
         lines += [
@@ -278,7 +279,8 @@ def diagnose(
         time_limit: [s] after which the search ends with the best verdict so far; nothing is learned of what that leaves
             then, and what is begun is finished: a fit of the answer, the ledger.
         simulation_limit: likewise, by the runs that are simulated: the same verdict however quick the machine is;
-            default: ``CRITERIA.search.effort``, where no time limit is stated.
+            default: it ends by
+            ``CRITERIA.search.patience``, where no time limit is stated.
         exclude: families or effects that are known not to be missing, with those of the data set.
         expect: likewise, that are likely: the evidence for one of them need not be as strong.
 

@@ -67,6 +67,6 @@ def test_held_commands(states: str, tmp_path: Path) -> None:
 def test_a_larger_limit_tries_what_a_limit_left(tmp_path: Path) -> None:
     data = _recorded(tmp_path / "tank", 'interpolation = "linear"')
     few = pam.diagnose(data, workers=0, explain=False, simulation_limit=20)
-    assert "--simulation-limit states another" in str(few)
+    assert "--simulation-limit states how many" in str(few)
     more = pam.diagnose(data, workers=0, explain=False, simulation_limit=2 * few.simulations)
     assert more.simulations > few.simulations and more.untried != few.untried

@@ -62,10 +62,19 @@ def test_the_first_effects_are_looked_at_whatever_the_effort(
     assert [*search._run_probes(lambda trial: trial, trials)] == [*range(looked_at)]
 
 
-def test_an_effort_that_nobody_states_is_counted_in_rows() -> None:
+def test_a_search_that_nobody_limits_ends_without_progress() -> None:
     usual = Effort.of(math.inf, None)
     assert not usual.spent and usual.affords(10**9)
-    usual.rows = CRITERIA.search.effort
-    assert usual.spent
+    usual.rows = CRITERIA.search.patience
+    assert usual.hopeless and not usual.spent
+    usual.note_progress()
+    assert not usual.hopeless
     assert Effort.of(1.0, None) == Effort(1.0)
     assert Effort.of(math.inf, 7) == Effort(most_simulations=7)
+
+
+def test_what_no_progress_left_is_listed() -> None:
+    pair = world({"LinearBladder": 5.0, "ThermocoupleLag": 5.0})
+    pair.effort.patience = 0
+    selection = select_effects(pair, pair.fitted(()))
+    assert selection.untried

@@ -28,25 +28,27 @@ class Effort:
     Attributes:
         deadline: of ``time.monotonic``, after which no more models are tried.
         most_simulations: likewise; unlike a deadline it ends a search at the same model on every machine.
-        most_rows: likewise, by the rows of these simulations, which say what they cost.
-        simulations: runs that were simulated so far, with sensitivities or without; ``rows`` of these.
+        patience: rows that are simulated without visible progress before there is no hope for more.
+        simulations: runs that were simulated so far, with sensitivities or without; ``rows`` of these, which say what
+            they cost; ``rows_of_progress``: how many there were at the last visible progress.
     """
 
     deadline: float = math.inf
     most_simulations: float = math.inf
-    most_rows: float = math.inf
+    patience: float = math.inf
     simulations: int = 0
     rows: int = 0
+    rows_of_progress: int = 0
 
     @classmethod
     def of(cls, deadline: float, simulations: int | None) -> Effort:
-        """The effort with the limits that are stated, or with that of rows where none is.
+        """The effort with the limits that are stated, or with the usual patience where none is.
 
         Args:
             deadline: infinite where none is stated. simulations: at most; None: not stated.
         """
         if simulations is None and deadline == math.inf:
-            return cls(most_rows=CRITERIA.search.effort)
+            return cls(patience=CRITERIA.search.patience)
         return cls(deadline, math.inf if simulations is None else simulations)
 
     def affords(self, simulations: int) -> bool:
@@ -56,8 +58,16 @@ class Effort:
     @property
     def spent(self) -> bool:
         """Whether a limit is reached."""
-        is_full = self.simulations >= self.most_simulations or self.rows >= self.most_rows
-        return is_full or time.monotonic() >= self.deadline
+        return self.simulations >= self.most_simulations or time.monotonic() >= self.deadline
+
+    @property
+    def hopeless(self) -> bool:
+        """Whether there was no visible progress for too long."""
+        return self.rows - self.rows_of_progress >= self.patience
+
+    def note_progress(self) -> None:
+        """Takes note that the error fell visibly."""
+        self.rows_of_progress = self.rows
 
     def part(self, share: float) -> Effort:
         """An effort that may take so much of what this one took, and ends with it."""

@@ -9,6 +9,7 @@ are exchanged for others of their family, left out and added, until none of it p
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
@@ -71,6 +72,7 @@ class _Models:
         self.predicted = PredictedEvidence(self.ranking)
         self.untried: list[tuple[str, ...]] = []
         self.probes: list[EffectProbe] = []
+        self._left, self._count = math.inf, 0  # by the leading model, with so many effects
 
     @property
     def search(self) -> Search:
@@ -143,8 +145,8 @@ class _Models:
         return any(c.fit.residuals["fit"].chi2_reduced < far for c in self.fitted.values())
 
     def _is_effort_spent(self, chosen: Sequence[tuple[str, ...]]) -> bool:
-        """Whether the effort is spent; then what would have come next is noted."""
-        if not self.search.effort.spent:
+        """Whether the effort is spent, or no hope is left; then what would have come next is noted."""
+        if not (self.search.effort.spent or self.search.effort.hopeless):
             return False
         self.untried += [names for names in chosen if names not in self.untried]
         self.ranking.effort_spent = True
@@ -422,6 +424,16 @@ class _Models:
             if old is None or to_the_end or c.fit.chi2_minimised <= old.fit.chi2_minimised:
                 self.fitted[c.effects] = c
         self.ranking.update()
+        self._note_progress()
+
+    def _note_progress(self) -> None:
+        """Takes note where the leading model leaves visibly less than before, or needs fewer effects."""
+        leader = self.ranking.leader()
+        left = (leader.fit if leader else self.base).residuals["fit"].excess
+        count = len(leader.effects) if leader else 0
+        if left < (1 - CRITERIA.evidence.visible) * self._left or count < self._count:
+            self.search.effort.note_progress()
+        self._left, self._count = min(left, self._left), count
 
 
 def _each_left_out(c: Candidate) -> list[tuple[str, ...]]:
