@@ -279,8 +279,7 @@ def diagnose(
         time_limit: [s] after which the search ends with the best verdict so far; nothing is learned of what that leaves
             then, and what is begun is finished: a fit of the answer, the ledger.
         simulation_limit: likewise, by the runs that are simulated: the same verdict however quick the machine is;
-            default: it ends by
-            ``CRITERIA.search.patience``, where no time limit is stated.
+            default: ``CRITERIA.search.patience`` ends it, where no time limit is stated.
         exclude: families or effects that are known not to be missing, with those of the data set.
         expect: likewise, that are likely: the evidence for one of them need not be as strong.
 

@@ -141,11 +141,8 @@ class Search:
     def probe(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[EffectProbe]:
         """What each of some effects does to the samples beside a fitted model, which has others."""
         begins = fitted.values_and_starts
-        trials = [
-            t.screening()
-            for t in self._trials([FitRequest((*has, name), begins) for name in effects])
-        ]
-        trials = [replace(t, reference=fitted.linear) for t in trials]
+        brief = self.brief_trials([FitRequest((*has, name), begins) for name in effects])
+        trials = [replace(t, reference=fitted.linear) for t in brief]
         beside = f" beside {' + '.join(has)}" * bool(has)
         text = f"looking at what each of {len(trials)} effects would change{beside}"
         self.say(Remark(text).message)

@@ -208,7 +208,7 @@ def begin_of(trial: Trial, interface: Interface) -> dict[str, float]:
     return {n: v for n, v in trial.start.items() if n.rpartition("@")[0] in interface.states}
 
 
-def _look(trial: Trial, simulator: Simulator, rows: int) -> Look:
+def _look(trial: Trial, simulator: Simulator) -> Look:
     """At the effect to try, beside the model that a trial refers to."""
     assert trial.reference is not None
     free, _ = free_parameters(trial, simulator.interface)
@@ -224,12 +224,11 @@ def _look(trial: Trial, simulator: Simulator, rows: int) -> Look:
         starts_are_known=True,
     )
     strengths = Strengths(moved, values_where_absent(own, trial.effect.absent))
-    return Look(objective, trial.reference, strengths, rows)
+    return Look(objective, trial.reference, strengths, trial.options.rows)
 
 
 def _probe(trial: Trial, simulator: Simulator) -> EffectProbe:
-    look = _look(trial, simulator, CRITERIA.search.rows)
-    return probe_effect(trial.effect.name, trial.effect.family, look)
+    return probe_effect(trial.effect.name, trial.effect.family, _look(trial, simulator))
 
 
 def values_where_absent(names: Sequence[str], absent: Mapping[str, float]) -> dict[str, float]:
@@ -253,7 +252,7 @@ def values_of_absence(
 
 
 def _stated_effect(trial: Trial, simulator: Simulator) -> StatedEffect:
-    look = _look(trial, simulator, trial.options.rows)
+    look = _look(trial, simulator)
     linear = look.linear(look.strengths.place(1.0))
     if linear is None:
         raise SimulationFailure(look.objective.first_failure)
